@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The points of one arrangement, input and made, each with one id; made points are known exactly by how they were made.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "mortise/base/ids.h"
+#include "mortise/exact/sign.h"
+#include "mortise/geom/vec.h"
+
+namespace mortise {
+
+using PointId = Id<struct PointTag>;
+
+/// Three input points that span a plane (not on one line).
+using PlanePoints = std::array<PointId, 3>;
+/// Two different input points.
+using LinePoints = std::array<PointId, 2>;
+
+/// Every position occurs once: two ids are equal exactly when the points are.
+///
+/// Made points refer to input points only. They are homogeneous (x, y, z, w) polynomials of the input coordinates: degree
+/// (4, 3) for line x plane, (3, 2) for two coplanar lines, (7, 6) for three planes. Every answer is exact and climbs:
+/// known by construction, interval from cached bounds, exact.
+class PointSet {
+ public:
+  PointSet();
+  ~PointSet();
+  PointSet(PointSet&&) noexcept;
+  PointSet& operator=(PointSet&&) noexcept;
+
+  void reserve(std::size_t points);
+
+  /// The id of an input point: the same for equal coordinates (-0 equals +0; the first one's bits are kept). Finite only.
+  /// All input points come before the first made one.
+  PointId add_input(const Vec3d& p);
+
+  /// The point where a line meets a plane that does not contain it and is not parallel to it.
+  PointId add_line_plane(const LinePoints& line, const PlanePoints& plane);
+  /// The point where two lines of one plane meet; their projections along `axis` are not parallel.
+  PointId add_line_line(const LinePoints& first, const LinePoints& second, Axis axis);
+  /// The one point common to three planes.
+  PointId add_three_planes(const PlanePoints& p, const PlanePoints& q, const PlanePoints& r);
+
+  [[nodiscard]] std::size_t size() const;
+  [[nodiscard]] std::size_t input_count() const;
+  [[nodiscard]] bool is_input(PointId p) const { return p.index() < input_count(); }
+
+  /// The nearest double of every coordinate (ties to even).
+  /// @throws Error{OutOfRange} (when the point is added) if a coordinate does not fit a double
+  [[nodiscard]] const Vec3d& nearest(PointId p) const;
+  /// Is `nearest` the point itself?
+  [[nodiscard]] bool is_representable(PointId p) const;
+
+  /// Side of a plane, Positive where its normal points to (as orient3d).
+  [[nodiscard]] Sign side_of_plane(const PlanePoints& plane, PointId p) const;
+  /// Orientation of three points projected along `axis`.
+  [[nodiscard]] Sign orient2d(PointId a, PointId b, PointId c, Axis axis) const;
+  /// Sign of a[coordinate] - b[coordinate], coordinate 0, 1 or 2.
+  [[nodiscard]] Sign compare(PointId a, PointId b, std::size_t coordinate) const;
+
+ private:
+  struct Storage;
+  Storage* storage_;
+};
+
+}  // namespace mortise
