@@ -1,0 +1,32 @@
+# SPDX-FileCopyrightText: the Mortise authors
+# SPDX-License-Identifier: MIT
+# The flags of everything that is built here, and ccache when it is installed.
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+set(CMAKE_CXX_FLAGS_DEBUG "-O1 -g1")
+set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
+
+add_library(mortise_flags INTERFACE)
+# One result everywhere: no fused multiply-add, and never -ffast-math.
+target_compile_options(mortise_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion)
+if(MORTISE_WERROR)
+  target_compile_options(mortise_flags INTERFACE -Werror)
+endif()
+if(MORTISE_SANITIZE)
+  set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  target_compile_options(mortise_flags INTERFACE ${sanitizers})
+  target_link_options(mortise_flags INTERFACE ${sanitizers})
+endif()
+
+find_program(MORTISE_CCACHE ccache)
+mark_as_advanced(MORTISE_CCACHE)
+if(MORTISE_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${MORTISE_CCACHE}")
+endif()
