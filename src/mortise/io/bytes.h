@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Numbers in binary files, in either byte order, on any machine.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <string>
+#include <string_view>
+
+namespace mortise {
+
+enum class ByteOrder : unsigned char { Little, Big };
+
+inline constexpr ByteOrder kNativeByteOrder = std::endian::native == std::endian::little ? ByteOrder::Little : ByteOrder::Big;
+
+/// The number stored at `offset`; the bytes are there.
+template <class T>
+[[nodiscard]] T load_number(std::string_view bytes, std::size_t offset, ByteOrder order) {
+  std::array<char, sizeof(T)> raw;
+  std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
+  if (order != kNativeByteOrder) std::reverse(raw.begin(), raw.end());
+  return std::bit_cast<T>(raw);
+}
+
+/// Appends a number, lowest byte first.
+template <class T>
+void append_little_endian(std::string& bytes, T number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
+  if (kNativeByteOrder != ByteOrder::Little) std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+}  // namespace mortise

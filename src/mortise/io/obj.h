@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Wavefront OBJ: vertices, polygons, groups, objects, materials.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise {
+
+/// The mesh of an OBJ text, equal positions welded, polygons triangulated. The label of a face is its group, else its object, else
+/// its material; `o` ends a group. Normals, texture coordinates, lines, points and free-form statements are read over.
+/// @throws Error{ParseFailed, NotFinite, OutOfRange, BadIndex} from "read_obj", each naming a line
+[[nodiscard]] SurfaceMesh read_obj(std::string_view text);
+
+/// The mesh as OBJ text, a group per run of triangles of one label; read_obj() gives back the same bits and labels.
+[[nodiscard]] std::string write_obj(const SurfaceMesh& mesh);
+
+}  // namespace mortise

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Polygon File Format, text and binary.
+#include "mortise/io/ply.h"
+
+#include <cmath>
+#include <limits>
+
+#include "mortise/io/bytes.h"
+#include "mortise/io/ply_header.h"
+#include "mortise/io/polygon_soup.h"
+#include "mortise/io/text.h"
+
+namespace mortise {
+namespace {
+
+constexpr std::string_view kStage = "read_ply";
+
+/// What a column means to a mesh.
+enum class Role : unsigned char { None, X, Y, Z, Corners };
+
+Role role_of(const PlyElement& element, const PlyProperty& property) {
+  const std::string& name = property.name;
+  if (element.name == "vertex" && !property.is_list)
+    return name == "x" ? Role::X : name == "y" ? Role::Y : name == "z" ? Role::Z : Role::None;
+  if (element.name == "face" && property.is_list && (name == "vertex_indices" || name == "vertex_index")) return Role::Corners;
+  return Role::None;
+}
+
+/// One element with the meaning of its columns.
+struct Table {
+  const PlyElement* element;
+  std::vector<Role> roles;
+
+  [[nodiscard]] bool has(Role role) const {
+    for (const Role present : roles) {
+      if (present == role) return true;
+    }
+    return false;
+  }
+};
+
+Table make_table(const PlyElement& element, const TextPlace& header_end) {
+  Table table{&element, {}};
+  for (const PlyProperty& property : element.properties) {
+    const Role role = role_of(element, property);
+    table.roles.push_back(table.has(role) ? Role::None : role);
+    if (table.roles.back() == Role::Corners && !is_ply_integer(property.type)) {
+      fail_at_line(ErrorCode::ParseFailed, header_end, "the corners of faces must be integers");
+    }
+  }
+  const bool has_point = table.has(Role::X) && table.has(Role::Y) && table.has(Role::Z);
+  if (element.name == "vertex" && !has_point) fail_at_line(ErrorCode::ParseFailed, header_end, "the vertices have no x, y and z");
+  if (element.name == "face" && element.count > 0 && !table.has(Role::Corners)) {
+    fail_at_line(ErrorCode::ParseFailed, header_end, "the faces have no list vertex_indices");
+  }
+  if (element.name == "tristrips") fail_at_line(ErrorCode::ParseFailed, header_end, "triangle strips are not read");
+  return table;
+}
+
+std::vector<Table> make_tables(const PlyHeader& header) {
+  const TextPlace header_end{kStage, header.line_count};
+  std::vector<Table> tables;
+  for (const PlyElement& element : header.elements) {
+    for (const Table& earlier : tables) {
+      if (earlier.element->name == element.name) fail_at_line(ErrorCode::ParseFailed, header_end, "two elements have the same name");
+    }
+    tables.push_back(make_table(element, header_end));
+  }
+  return tables;
+}
+
+std::uint32_t vertex_count(const PlyHeader& header) {
+  for (const PlyElement& element : header.elements) {
+    if (element.name == "vertex") return element.count;
+  }
+  return 0;
+}
+
+std::string bad_index_message(std::int64_t index, std::uint32_t vertices) {
+  return "the face names vertex " + std::to_string(index) + " of " + std::to_string(vertices) + " (the first is 0)";
+}
+
+constexpr std::string_view kTooFewCorners = "a face needs at least three corners";
+
+// ---- Text rows ------------------------------------------------------------------------------------------------------
+
+class TextRows {
+ public:
+  TextRows(std::string_view rows, const PlyHeader& header)
+      : lines_(rows, kStage), header_lines_(header.line_count), vertices_(vertex_count(header)) {}
+
+  void read_row(const Table& table, PolygonSoup& soup) {
+    if (!next_row()) fail_at_line(ErrorCode::ParseFailed, place(), "the file ends before its last element");
+    rest_ = lines_.line();
+    Vec3d point;
+    for (std::size_t i = 0; i < table.roles.size(); ++i) read_property(table.element->properties[i], table.roles[i], point, soup);
+    if (!trim(rest_).empty()) fail_at_line(ErrorCode::ParseFailed, place(), "the line holds more than the header promises");
+    if (table.has(Role::X)) soup.points.push_back(point);
+  }
+
+ private:
+  bool next_row() {
+    while (lines_.next()) {
+      if (!trim(lines_.line()).empty()) return true;
+    }
+    return false;
+  }
+
+  [[nodiscard]] TextPlace place() const { return {kStage, header_lines_ + lines_.place().line}; }
+
+  void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
+    if (role == Role::Corners) return read_corners(soup);
+    if (role != Role::None) {
+      point[static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X)] = read_coordinate(take_word(rest_), place());
+      return;
+    }
+    const std::uint32_t words = property.is_list ? read_count(take_word(rest_), place(), "the length of a list") : 1;
+    for (std::uint32_t i = 0; i < words; ++i) {
+      if (take_word(rest_).empty()) fail_at_line(ErrorCode::ParseFailed, place(), "the line holds less than the header promises");
+    }
+  }
+
+  void read_corners(PolygonSoup& soup) {
+    const std::uint32_t count = read_count(take_word(rest_), place(), "the number of corners");
+    if (count < 3) fail_at_line(ErrorCode::ParseFailed, place(), std::string(kTooFewCorners));
+    for (std::uint32_t i = 0; i < count; ++i) {
+      const std::int64_t index = read_integer(take_word(rest_), place(), "a vertex index");
+      if (index < 0 || index >= vertices_) fail_at_line(ErrorCode::BadIndex, place(), bad_index_message(index, vertices_));
+      soup.corners.push_back(static_cast<std::uint32_t>(index));
+    }
+    soup.end_face();
+  }
+
+  LineReader lines_;
+  std::uint32_t header_lines_;
+  std::uint32_t vertices_;
+  std::string_view rest_;
+};
+
+// ---- Binary rows ----------------------------------------------------------------------------------------------------
+
+class BinaryRows {
+ public:
+  BinaryRows(std::string_view bytes, const PlyHeader& header)
+      : bytes_(bytes),
+        offset_(header.size),
+        vertices_(vertex_count(header)),
+        order_(header.encoding == PlyEncoding::BigEndian ? ByteOrder::Big : ByteOrder::Little) {}
+
+  void read_row(const Table& table, PolygonSoup& soup) {
+    Vec3d point;
+    for (std::size_t i = 0; i < table.roles.size(); ++i) read_property(table.element->properties[i], table.roles[i], point, soup);
+    if (table.has(Role::X)) soup.points.push_back(point);
+  }
+
+ private:
+  void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
+    if (role == Role::Corners) return read_corners(property, soup);
+    if (role != Role::None) {
+      const std::size_t at = offset_;
+      const double value = take_value(property.type);
+      if (!(std::fabs(value) <= std::numeric_limits<double>::max()))
+        fail_at_byte(ErrorCode::NotFinite, kStage, at, "a coordinate is not finite");
+      point[static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X)] = value;
+      return;
+    }
+    const std::uint64_t items = property.is_list ? take_length(property.count_type) : 1;
+    skip(items * ply_type_size(property.type));
+  }
+
+  void read_corners(const PlyProperty& property, PolygonSoup& soup) {
+    const std::size_t start = offset_;
+    const std::uint64_t count = take_length(property.count_type);
+    if (count < 3) fail_at_byte(ErrorCode::ParseFailed, kStage, start, std::string(kTooFewCorners));
+    for (std::uint64_t i = 0; i < count; ++i) {
+      const std::size_t at = offset_;
+      const std::int64_t index = take_integer(property.type);
+      if (index < 0 || index >= vertices_) fail_at_byte(ErrorCode::BadIndex, kStage, at, bad_index_message(index, vertices_));
+      soup.corners.push_back(static_cast<std::uint32_t>(index));
+    }
+    soup.end_face();
+  }
+
+  void skip(std::uint64_t size) {
+    if (size > bytes_.size() - offset_)
+      fail_at_byte(ErrorCode::ParseFailed, kStage, bytes_.size(), "the file ends before its last element");
+    offset_ += static_cast<std::size_t>(size);
+  }
+
+  template <class T>
+  T take() {
+    const std::size_t at = offset_;
+    skip(sizeof(T));
+    return load_number<T>(bytes_, at, order_);
+  }
+
+  std::int64_t take_integer(PlyType type) {
+    switch (type) {
+      case PlyType::Int8:
+        return take<std::int8_t>();
+      case PlyType::Uint8:
+        return take<std::uint8_t>();
+      case PlyType::Int16:
+        return take<std::int16_t>();
+      case PlyType::Uint16:
+        return take<std::uint16_t>();
+      case PlyType::Int32:
+        return take<std::int32_t>();
+      default:
+        return take<std::uint32_t>();
+    }
+  }
+
+  double take_value(PlyType type) {
+    if (type == PlyType::Float32) return take<float>();
+    if (type == PlyType::Float64) return take<double>();
+    return static_cast<double>(take_integer(type));
+  }
+
+  std::uint64_t take_length(PlyType type) {
+    const std::size_t at = offset_;
+    const std::int64_t length = take_integer(type);
+    if (length < 0) fail_at_byte(ErrorCode::ParseFailed, kStage, at, "the length of a list is negative");
+    return static_cast<std::uint64_t>(length);
+  }
+
+  std::string_view bytes_;
+  std::size_t offset_;
+  std::uint32_t vertices_;
+  ByteOrder order_;
+};
+
+template <class Rows>
+PolygonSoup read_rows(Rows rows, const std::vector<Table>& tables, std::size_t byte_count) {
+  PolygonSoup soup;
+  for (const Table& table : tables) {
+    if (table.has(Role::X)) soup.points.reserve(believable_count(table.element->count, byte_count, 3));
+    if (table.has(Role::Corners)) soup.face_ends.reserve(believable_count(table.element->count, byte_count, 4));
+    if (table.roles.empty()) continue;
+    for (std::uint32_t i = 0; i < table.element->count; ++i) rows.read_row(table, soup);
+  }
+  return soup;
+}
+
+// ---- Writing --------------------------------------------------------------------------------------------------------
+
+std::string header_text(const SurfaceMesh& mesh, std::string_view encoding) {
+  std::string text = "ply\nformat ";
+  text.append(encoding).append(" 1.0\ncomment Mortise\nelement vertex ").append(std::to_string(mesh.points.size()));
+  text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
+  text.append(std::to_string(mesh.triangles.size())).append("\nproperty list uchar int vertex_indices\nend_header\n");
+  return text;
+}
+
+}  // namespace
+
+SurfaceMesh read_ply(std::string_view bytes) {
+  const PlyHeader header = read_ply_header(bytes);
+  const std::vector<Table> tables = make_tables(header);
+  const std::string_view rows = bytes.substr(header.size);
+  return build_mesh(header.encoding == PlyEncoding::Ascii ? read_rows(TextRows(rows, header), tables, rows.size())
+                                                          : read_rows(BinaryRows(bytes, header), tables, rows.size()));
+}
+
+bool is_ascii_ply(std::string_view bytes) {
+  LineReader lines(bytes, kStage);
+  while (lines.next() && trim(lines.line()) != "end_header") {
+    std::string_view rest = lines.line();
+    if (take_word(rest) == "format") return take_word(rest) == "ascii";
+  }
+  return false;
+}
+
+std::string write_ply_ascii(const SurfaceMesh& mesh) {
+  std::string text = header_text(mesh, "ascii");
+  for (const Vec3d& point : mesh.points) {
+    append_point(text, point);
+    text += '\n';
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    text += '3';
+    for (const VertexId vertex : triangle) text.append(" ").append(std::to_string(vertex.value));
+    text += '\n';
+  }
+  return text;
+}
+
+std::string write_ply_binary(const SurfaceMesh& mesh) {
+  std::string bytes = header_text(mesh, "binary_little_endian");
+  bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 13);
+  for (const Vec3d& point : mesh.points) {
+    for (std::size_t i = 0; i < 3; ++i) append_little_endian(bytes, point[i]);
+  }
+  for (const Triangle& triangle : mesh.triangles) {
+    append_little_endian(bytes, std::uint8_t{3});
+    for (const VertexId vertex : triangle) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
+  }
+  return bytes;
+}
+
+}  // namespace mortise

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Polygon File Format: a header that describes its own columns, then text or binary rows.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise {
+
+/// The mesh of a PLY file of any of the three encodings, equal positions welded, polygons triangulated. Properties and elements
+/// other than the coordinates and the corners are read over; without faces the mesh has points only. The format has no labels.
+/// @throws Error{ParseFailed, NotFinite, OutOfRange, BadIndex} from "read_ply", naming a line of header and text, a byte of binary rows
+[[nodiscard]] SurfaceMesh read_ply(std::string_view bytes);
+
+/// Does the header of this PLY file promise text rows?
+[[nodiscard]] bool is_ascii_ply(std::string_view bytes);
+
+/// The mesh as text PLY with doubles; read_ply() gives back the same bits. Labels are lost.
+[[nodiscard]] std::string write_ply_ascii(const SurfaceMesh& mesh);
+
+/// The mesh as little-endian PLY with doubles; read_ply() gives back the same bits. Labels are lost.
+[[nodiscard]] std::string write_ply_binary(const SurfaceMesh& mesh);
+
+}  // namespace mortise
