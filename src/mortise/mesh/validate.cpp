@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Refuses meshes no operation can work on.
+#include "mortise/mesh/validate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "mortise/base/error.h"
+
+namespace mortise {
+namespace {
+
+constexpr const char* stage = "validate";
+
+bool is_finite(const Vec3d& p) {
+  constexpr double largest = std::numeric_limits<double>::max();
+  return std::fabs(p.x) <= largest && std::fabs(p.y) <= largest && std::fabs(p.z) <= largest;
+}
+
+/// Throws the error with the places where `is_bad`, if there are any.
+template <class IsBad>
+void refuse(std::size_t count, IsBad is_bad, IdKind kind, Error error) {
+  std::vector<std::uint32_t> places;
+  for (std::size_t i = 0; i < count; ++i) {
+    if (is_bad(i)) places.push_back(static_cast<std::uint32_t>(i));
+  }
+  if (!places.empty()) throw std::move(error).with_ids(kind, std::move(places));
+}
+
+}  // namespace
+
+void validate(const SurfaceMesh& mesh) {
+  refuse(
+      mesh.points.size(), [&](std::size_t v) { return !is_finite(mesh.points[v]); }, IdKind::Vertices,
+      Error(ErrorCode::NotFinite, stage, "a coordinate is not a finite number"));
+  const auto has_bad_index = [&](std::size_t f) {
+    return std::any_of(mesh.triangles[f].begin(), mesh.triangles[f].end(), [&](VertexId v) { return v.index() >= mesh.points.size(); });
+  };
+  refuse(
+      mesh.triangles.size(), has_bad_index, IdKind::Faces,
+      Error(ErrorCode::BadIndex, stage, "a triangle names a vertex that does not exist: there are " + std::to_string(mesh.points.size())));
+  if (mesh.face_labels.empty()) return;
+  if (mesh.face_labels.size() != mesh.triangles.size()) {
+    throw Error(ErrorCode::InvalidArgument, stage,
+                "there are " + std::to_string(mesh.face_labels.size()) + " face labels for " + std::to_string(mesh.triangles.size()) +
+                    " triangles");
+  }
+  refuse(
+      mesh.face_labels.size(), [&](std::size_t f) { return mesh.face_labels[f] >= mesh.label_names.size(); }, IdKind::Faces,
+      Error(ErrorCode::InvalidArgument, stage, "a face label has no name"));
+}
+
+}  // namespace mortise

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Refuses meshes no operation can work on.
+#pragma once
+
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise {
+
+/// Checks that every coordinate is finite, every index in range, labels one per face and named.
+/// @throws Error{NotFinite} naming vertices, Error{BadIndex} naming faces, Error{InvalidArgument} when there are labels but
+/// not one per face, or naming the faces whose label has no name
+void validate(const SurfaceMesh& mesh);
+
+}  // namespace mortise
