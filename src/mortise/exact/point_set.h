@@ -6,8 +6,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 
 #include "mortise/base/ids.h"
+#include "mortise/exact/rung.h"
 #include "mortise/exact/sign.h"
 #include "mortise/geom/vec.h"
 
@@ -24,7 +26,7 @@ using LinePoints = std::array<PointId, 2>;
 ///
 /// Made points refer to input points only. They are homogeneous (x, y, z, w) polynomials of the input coordinates: degree
 /// (4, 3) for line x plane, (3, 2) for two coplanar lines, (7, 6) for three planes. Every answer is exact and climbs:
-/// known by construction, interval from cached bounds, exact.
+/// known by construction, filter on the nearest doubles, double-double with cached bounds, exact.
 class PointSet {
  public:
   PointSet();
@@ -62,9 +64,14 @@ class PointSet {
   /// Sign of a[coordinate] - b[coordinate], coordinate 0, 1 or 2.
   [[nodiscard]] Sign compare(PointId a, PointId b, std::size_t coordinate) const;
 
+  /// The same answers, and the rungs that gave them.
+  [[nodiscard]] Answer explain_side_of_plane(const PlanePoints& plane, PointId p) const;
+  [[nodiscard]] Answer explain_orient2d(PointId a, PointId b, PointId c, Axis axis) const;
+  [[nodiscard]] Answer explain_compare(PointId a, PointId b, std::size_t coordinate) const;
+
  private:
   struct Storage;
-  Storage* storage_;
+  std::unique_ptr<Storage> storage_;
 };
 
 }  // namespace mortise

@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "mortise/exact/rung.h"
 #include "mortise/exact/sign.h"
 #include "mortise/geom/vec.h"
 
@@ -23,5 +24,9 @@ namespace mortise {
 /// An axis along which the triangle projects to positive area, the most favourable one in doubles when that is certain;
 /// nothing when the triangle has no area.
 [[nodiscard]] std::optional<Axis> projection_axis(const Vec3d& a, const Vec3d& b, const Vec3d& c);
+
+/// orient3d and orient2d, and the rung that answered.
+[[nodiscard]] Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d);
+[[nodiscard]] Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis);
 
 }  // namespace mortise

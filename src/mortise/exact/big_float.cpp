@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Schoolbook arithmetic on digits of base 2^32: the numbers met are a few dozen digits long.
+#include "mortise/exact/big_float.h"
+
+#include <bit>
+#include <cmath>
+
+namespace mortise {
+
+namespace {
+
+/// Adds b[0, n) to a and carries on as far as needed. The sum fits.
+void add_limbs(std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
+  std::uint64_t carry = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    carry += std::uint64_t{a[i]} + b[i];
+    a[i] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+  for (std::size_t i = n; carry != 0; ++i) {
+    carry += a[i];
+    a[i] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+}
+
+/// Subtracts b[0, n) from a and borrows as far as needed. The difference is not negative.
+void subtract_limbs(std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
+  std::uint64_t borrow = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::uint64_t digit = std::uint64_t{a[i]} - b[i] - borrow;
+    a[i] = static_cast<std::uint32_t>(digit);
+    borrow = digit >> 63;
+  }
+  for (std::size_t i = n; borrow != 0; ++i) {
+    borrow = a[i] == 0 ? 1 : 0;
+    --a[i];
+  }
+}
+
+}  // namespace
+
+BigFloat::BigFloat(double x) : BigFloat(x > 0 ? 1 : x < 0 ? -1 : 0, 0, x == 0 ? 0 : 3) {
+  if (sign_ == 0) return;
+  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto biased = static_cast<int>((bits >> 52) & 0x7ff);
+  const std::uint64_t fraction = bits & 0xfffffffffffffULL;
+  const std::uint64_t mantissa = biased == 0 ? fraction : fraction | 0x10000000000000ULL;
+  const int shifted = (biased == 0 ? 1 : biased) - 1075 + 1088;  // 1088 = 34 * 32 makes it positive
+  const unsigned shift = static_cast<unsigned>(shifted) % 32;
+  exponent_ = shifted / 32 - 34;
+  std::uint32_t* limbs = limbs_.begin();
+  const std::uint64_t low = mantissa << shift;
+  limbs[0] = static_cast<std::uint32_t>(low);
+  limbs[1] = static_cast<std::uint32_t>(low >> 32);
+  limbs[2] = shift == 0 ? 0 : static_cast<std::uint32_t>(mantissa >> (64 - shift));
+  trim();
+}
+
+BigFloat::Leading BigFloat::leading() const {
+  double value = 0;
+  const std::uint32_t* limbs = limbs_.begin();
+  for (std::uint32_t i = 0; i < 3; ++i) {
+    value = value * 0x1p32 + (i < limbs_.size() ? limbs[limbs_.size() - 1 - i] : 0.0);
+  }
+  return {sign_ * value, 32 * (top() - 3)};
+}
+
+BigFloat BigFloat::operator-() const& {
+  BigFloat result = *this;
+  result.sign_ = -sign_;
+  return result;
+}
+
+BigFloat BigFloat::operator-() && {
+  sign_ = -sign_;
+  return std::move(*this);
+}
+
+void BigFloat::trim() {
+  const std::uint32_t* limbs = limbs_.begin();
+  std::uint32_t high = limbs_.size(), low = 0;
+  while (limbs[high - 1] == 0) --high;
+  while (limbs[low] == 0) ++low;
+  if (low > 0) std::copy(limbs + low, limbs + high, limbs_.begin());
+  limbs_.shrink(high - low);
+  exponent_ += static_cast<int>(low);
+}
+
+int BigFloat::compare_sizes(const BigFloat& a, const BigFloat& b) {
+  if (a.top() != b.top()) return a.top() < b.top() ? -1 : 1;
+  const std::uint32_t shared = std::min(a.limbs_.size(), b.limbs_.size());
+  const std::uint32_t* a_end = a.limbs_.end();
+  const std::uint32_t* b_end = b.limbs_.end();
+  for (std::uint32_t i = 1; i <= shared; ++i) {
+    if (*(a_end - i) != *(b_end - i)) return *(a_end - i) < *(b_end - i) ? -1 : 1;
+  }
+  return a.limbs_.size() == b.limbs_.size() ? 0 : a.limbs_.size() < b.limbs_.size() ? -1 : 1;
+}
+
+BigFloat BigFloat::sum_of_sizes(const BigFloat& a, const BigFloat& b, int sign) {
+  const int exponent = std::min(a.exponent_, b.exponent_);
+  BigFloat result(sign, exponent, static_cast<std::size_t>(std::max(a.top(), b.top()) - exponent + 1));
+  std::uint32_t* limbs = result.limbs_.begin();
+  std::uint32_t* after_a = std::copy(a.limbs_.begin(), a.limbs_.end(), std::fill_n(limbs, a.exponent_ - result.exponent_, 0U));
+  std::fill(after_a, result.limbs_.end(), 0U);
+  add_limbs(limbs + (b.exponent_ - result.exponent_), b.limbs_.begin(), b.limbs_.size());
+  result.trim();
+  return result;
+}
+
+BigFloat BigFloat::difference_of_sizes(const BigFloat& a, const BigFloat& b, int sign) {
+  const int exponent = std::min(a.exponent_, b.exponent_);
+  BigFloat result(sign, exponent, static_cast<std::size_t>(a.top() - exponent));
+  std::uint32_t* limbs = result.limbs_.begin();
+  std::copy(a.limbs_.begin(), a.limbs_.end(), std::fill_n(limbs, a.exponent_ - result.exponent_, 0U));
+  subtract_limbs(limbs + (b.exponent_ - result.exponent_), b.limbs_.begin(), b.limbs_.size());
+  result.trim();
+  return result;
+}
+
+BigFloat BigFloat::sum(const BigFloat& a, const BigFloat& b, int sign_of_b) {
+  if (sign_of_b == 0) return a;
+  if (a.sign_ == 0) return sign_of_b == b.sign_ ? b : -b;
+  if (a.sign_ == sign_of_b) return sum_of_sizes(a, b, a.sign_);
+  const int order = compare_sizes(a, b);
+  if (order == 0) return BigFloat();
+  return order > 0 ? difference_of_sizes(a, b, a.sign_) : difference_of_sizes(b, a, sign_of_b);
+}
+
+BigFloat operator*(const BigFloat& a, const BigFloat& b) {
+  if (a.sign_ == 0 || b.sign_ == 0) return BigFloat();
+  BigFloat result(a.sign_ * b.sign_, a.exponent_ + b.exponent_, std::size_t{a.limbs_.size()} + b.limbs_.size());
+  std::uint32_t* limbs = result.limbs_.begin();
+  std::fill_n(limbs, b.limbs_.size(), 0U);
+  const std::uint32_t* b_limbs = b.limbs_.begin();
+  for (const std::uint32_t a_limb : a.limbs_) {
+    std::uint64_t carry = 0;
+    for (std::uint32_t j = 0; j < b.limbs_.size(); ++j) {
+      carry += std::uint64_t{a_limb} * b_limbs[j] + limbs[j];
+      limbs[j] = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+    limbs[b.limbs_.size()] = static_cast<std::uint32_t>(carry);
+    ++limbs;
+  }
+  result.trim();
+  return result;
+}
+
+}  // namespace mortise

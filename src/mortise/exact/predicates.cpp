@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The ladder of the predicates over input points: filter, exact.
+#include "mortise/exact/predicates.h"
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "mortise/exact/big_float.h"
+#include "mortise/exact/filters.h"
+#include "mortise/exact/formulas.h"
+
+namespace mortise {
+
+Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  if (const auto sign = filters::orient3d(a, b, c, {d, {}})) return {*sign, Rung::Filter};
+  return {orient3d_value<BigFloat>(a, b, c, d).sign(), Rung::BigFloat};
+}
+
+Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+  if (const auto sign = filters::orient2d(a, b, c, axis)) return {*sign, Rung::Filter};
+  return {orient2d_value<BigFloat>(a, b, c, axis).sign(), Rung::BigFloat};
+}
+
+Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) { return explain_orient3d(a, b, c, d).sign; }
+
+Sign orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) { return explain_orient2d(a, b, c, axis).sign; }
+
+bool are_collinear(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  return orient2d(a, b, c, Axis::Z) == Sign::Zero && orient2d(a, b, c, Axis::X) == Sign::Zero && orient2d(a, b, c, Axis::Y) == Sign::Zero;
+}
+
+std::optional<Axis> projection_axis(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const Vec3d n = cross(b - a, c - a);
+  std::array<double, 3> size{};
+  for (std::size_t i = 0; i < 3; ++i) size[i] = std::fabs(n[i]) >= 0 ? std::fabs(n[i]) : std::numeric_limits<double>::infinity();
+  std::array<Axis, 3> axes{Axis::X, Axis::Y, Axis::Z};
+  const auto prefer = [&](std::size_t i, std::size_t j) {
+    if (size[static_cast<std::size_t>(axes[j])] > size[static_cast<std::size_t>(axes[i])]) std::swap(axes[i], axes[j]);
+  };
+  prefer(0, 1);
+  prefer(0, 2);
+  prefer(1, 2);
+  for (const Axis axis : axes) {
+    if (orient2d(a, b, c, axis) != Sign::Zero) return axis;
+  }
+  return std::nullopt;
+}
+
+}  // namespace mortise

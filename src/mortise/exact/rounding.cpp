@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Double-double where it is certain, else exact comparison with the doubles and midpoints around the quotient.
+#include "mortise/exact/rounding.h"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "mortise/base/error.h"
+
+namespace mortise {
+
+namespace {
+
+/// base + quotient as nearest and rest, when the error bound leaves no doubt about the rounding and the side.
+std::optional<RoundedCoordinate> round_certainly(double base, const DoubleDouble& quotient) {
+  const ExactSum s = two_sum(base, quotient.hi);
+  const double tail = s.error + quotient.lo;
+  const ExactSum x = two_sum(s.sum, tail);
+  const double error = (quotient.error + 0x1p-52 * std::fabs(tail)) * double_double::slack;
+  const double low = x.error - error, high = x.error + error;
+  const bool certain = x.sum + low == x.sum && x.sum + high == x.sum && (low > 0 || high < 0);
+  if (!certain || std::fabs(x.sum) < double_double::smallest_certain) return std::nullopt;
+  return RoundedCoordinate{x.sum, x.error, error, sign_of(x.error)};
+}
+
+double approximate_quotient(const BigFloat& a, const BigFloat& b) {
+  const BigFloat::Leading p = a.leading(), q = b.leading();
+  return std::ldexp(p.value / q.value, p.exponent - q.exponent);
+}
+
+/// The double above |x|; 2^1024 above the largest one.
+BigFloat next_above(double x) {
+  if (x == std::numeric_limits<double>::max()) return BigFloat(0x1p1023) + BigFloat(0x1p1023);
+  return BigFloat(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1));
+}
+
+/// Sign of x / w - (a + b) / 2.
+Sign side_of_midpoint(const BigFloat& twice_x, const BigFloat& w, const BigFloat& a, const BigFloat& b) {
+  return (twice_x - (a + b) * w).sign();
+}
+
+/// The nearest double of x / w, both not negative, w not zero: a few steps from the quotient of their leading bits.
+double nearest_of_quotient(const BigFloat& x, const BigFloat& w) {
+  constexpr double max = std::numeric_limits<double>::max();
+  const BigFloat twice_x = x + x;
+  double h = std::min(approximate_quotient(x, w), max);
+  while (true) {
+    const bool is_odd = (std::bit_cast<std::uint64_t>(h) & 1) != 0;
+    const Sign above = side_of_midpoint(twice_x, w, BigFloat(h), next_above(h));
+    if (above == Sign::Positive || (above == Sign::Zero && is_odd)) {
+      if (h == max) throw Error(ErrorCode::OutOfRange, "exact", "a point of intersection does not fit the range of doubles");
+      h = std::bit_cast<double>(std::bit_cast<std::uint64_t>(h) + 1);
+      continue;
+    }
+    if (h == 0) return h;
+    const double below = std::bit_cast<double>(std::bit_cast<std::uint64_t>(h) - 1);
+    const Sign side = side_of_midpoint(twice_x, w, BigFloat(below), BigFloat(h));
+    if (side == Sign::Positive || (side == Sign::Zero && !is_odd)) return h;
+    h = below;
+  }
+}
+
+/// As round_certainly, always: w > 0.
+RoundedCoordinate round_exactly(double base, const BigFloat& offset, const BigFloat& w) {
+  const BigFloat x = BigFloat(base) * w + offset;
+  RoundedCoordinate result;
+  if (x.sign() == Sign::Zero) return result;
+  result.nearest = x.sign() == Sign::Positive ? nearest_of_quotient(x, w) : -nearest_of_quotient(-x, w);
+  if (result.nearest == 0) result.nearest = 0;
+  const BigFloat rest = x - BigFloat(result.nearest) * w;
+  result.side = rest.sign();
+  if (result.side == Sign::Zero) return result;
+  result.rest = approximate_quotient(rest, w);
+  result.error = std::fabs(result.rest) * 0x1p-48 + std::numeric_limits<double>::min();
+  return result;
+}
+
+}  // namespace
+
+Homogeneous<BigFloat> exact_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
+  Homogeneous<BigFloat> h = homogeneous_point<BigFloat>(construction, points);
+  MORTISE_CHECK(h.w.sign() != Sign::Zero, "a point made from parallel lines or planes");
+  if (h.w.sign() == Sign::Positive) return h;
+  for (BigFloat& coordinate : h.offset) coordinate = -std::move(coordinate);
+  h.w = -std::move(h.w);
+  return h;
+}
+
+std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
+  std::array<RoundedCoordinate, 3> result;
+  const Homogeneous<DoubleDouble> near = homogeneous_point<DoubleDouble>(construction, points);
+  std::optional<Homogeneous<BigFloat>> exact;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (const auto shared = shared_coordinate(construction, points, i)) {
+      result[i].nearest = *shared == 0 ? 0 : *shared;
+    } else if (const auto rounded = round_certainly(points[0][i], near.offset[i] / near.w)) {
+      result[i] = *rounded;
+    } else {
+      if (!exact) exact = exact_point(construction, points);
+      result[i] = round_exactly(points[0][i], exact->offset[i], exact->w);
+    }
+  }
+  return result;
+}
+
+}  // namespace mortise

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The nearest double of each coordinate of a made point, and how far the point is from it.
+#pragma once
+
+#include <array>
+
+#include "mortise/exact/big_float.h"
+#include "mortise/exact/construction.h"
+#include "mortise/exact/double_double.h"
+#include "mortise/exact/formulas.h"
+#include "mortise/exact/sign.h"
+
+namespace mortise {
+
+/// nearest: correctly rounded, ties to even, never -0. rest: the coordinate minus `nearest`, within `error`; both 0 when
+/// there is none. side: sign of the rest, exact.
+struct RoundedCoordinate {
+  double nearest = 0;
+  double rest = 0;
+  double error = 0;
+  Sign side = Sign::Zero;
+
+  [[nodiscard]] DoubleDouble value() const { return {nearest, rest, error}; }
+};
+
+/// base + offset / w for the construction's `points` (base: points[0]), w of any sign.
+template <class T>
+[[nodiscard]] Homogeneous<T> homogeneous_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
+  switch (construction.kind) {
+    case Construction::Kind::LinePlane:
+      return line_plane_point<T>(points);
+    case Construction::Kind::LineLine:
+      return line_line_point<T>(points, construction.axis);
+    default:
+      return three_plane_point<T>(points);
+  }
+}
+
+/// The exact coordinates of a made point, w > 0.
+/// @throws Error{InternalError} if the construction has no point (w = 0)
+[[nodiscard]] Homogeneous<BigFloat> exact_point(const Construction& construction, const std::array<Vec3d, 9>& points);
+
+/// @throws Error{OutOfRange} if a coordinate does not fit a double; Error{InternalError} as exact_point
+[[nodiscard]] std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points);
+
+}  // namespace mortise
