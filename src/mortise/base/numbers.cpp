@@ -13,6 +13,8 @@
 #include <limits>
 #include <system_error>
 
+#include "mortise/base/bits.h"
+
 namespace mortise {
 namespace {
 
@@ -240,7 +242,7 @@ ParsedNumber<std::int64_t> parse_integer(std::string_view text) {
   return {value, NumberError::None};
 }
 
-void append_double(std::string& text, double value) { append_bits<std::uint64_t, 52, 1023>(text, std::bit_cast<std::uint64_t>(value)); }
+void append_double(std::string& text, double value) { append_bits<std::uint64_t, 52, 1023>(text, cast_bits<std::uint64_t>(value)); }
 
 std::string format_double(double value) {
   std::string text;
@@ -250,7 +252,7 @@ std::string format_double(double value) {
 
 std::string format_float(float value) {
   std::string text;
-  append_bits<std::uint32_t, 23, 127>(text, std::bit_cast<std::uint32_t>(value));
+  append_bits<std::uint32_t, 23, 127>(text, cast_bits<std::uint32_t>(value));
   return text;
 }
 

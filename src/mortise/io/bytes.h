@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "mortise/base/bits.h"
+
 namespace mortise {
 
 enum class ByteOrder : unsigned char { Little, Big };
@@ -24,13 +26,13 @@ template <class T>
   std::array<char, sizeof(T)> raw;
   std::memcpy(raw.data(), bytes.data() + offset, sizeof(T));
   if (order != kNativeByteOrder) std::reverse(raw.begin(), raw.end());
-  return std::bit_cast<T>(raw);
+  return cast_bits<T>(raw);
 }
 
 /// Appends a number, lowest byte first.
 template <class T>
 void append_little_endian(std::string& bytes, T number) {
-  auto raw = std::bit_cast<std::array<char, sizeof(T)>>(number);
+  auto raw = cast_bits<std::array<char, sizeof(T)>>(number);
   if (kNativeByteOrder != ByteOrder::Little) std::reverse(raw.begin(), raw.end());
   bytes.append(raw.data(), raw.size());
 }
