@@ -3,8 +3,10 @@
 // Schoolbook arithmetic on digits of base 2^32: the numbers met are a few dozen digits long.
 #include "mortise/exact/big_float.h"
 
-#include <bit>
-#include <cmath>
+#include <algorithm>
+#include <utility>
+
+#include "mortise/base/bits.h"
 
 namespace mortise {
 
@@ -43,7 +45,7 @@ void subtract_limbs(std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
 
 BigFloat::BigFloat(double x) : BigFloat(x > 0 ? 1 : x < 0 ? -1 : 0, 0, x == 0 ? 0 : 3) {
   if (sign_ == 0) return;
-  const auto bits = std::bit_cast<std::uint64_t>(x);
+  const auto bits = cast_bits<std::uint64_t>(x);
   const auto biased = static_cast<int>((bits >> 52) & 0x7ff);
   const std::uint64_t fraction = bits & 0xfffffffffffffULL;
   const std::uint64_t mantissa = biased == 0 ? fraction : fraction | 0x10000000000000ULL;

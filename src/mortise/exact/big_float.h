@@ -18,7 +18,7 @@ namespace mortise {
 class LimbArray {
  public:
   explicit LimbArray(std::size_t size = 0) : size_(static_cast<std::uint32_t>(size)) {
-    if (size > inline_limbs) heap_ = std::make_unique_for_overwrite<std::uint32_t[]>(size);
+    if (size > inline_limbs) heap_.reset(new std::uint32_t[size]);  // undefined, unlike make_unique's
   }
   LimbArray(const LimbArray& other) : LimbArray(other.size_) { std::copy(other.begin(), other.end(), begin()); }
   LimbArray(LimbArray&& other) noexcept : size_(other.size_), heap_(std::move(other.heap_)) {

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mortise/base/bits.h"
 #include "mortise/exact/point_set.h"
 #include "mortise/geom/vec.h"
 
@@ -52,7 +53,7 @@ class PointTable {
   [[nodiscard]] static std::uint32_t hash(const Vec3d& p) {
     std::uint64_t h = 0;
     for (const double x : {p.x, p.y, p.z}) {
-      h = (h ^ std::bit_cast<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ULL;  // + 0.0 makes -0 positive
+      h = (h ^ cast_bits<std::uint64_t>(x + 0.0)) * 0x9e3779b97f4a7c15ULL;  // + 0.0 makes -0 positive
       h ^= h >> 32;
     }
     return static_cast<std::uint32_t>((h * 0xd6e8feb86659fd93ULL) >> 32);

@@ -3,12 +3,13 @@
 // Double-double where it is certain, else exact comparison with the doubles and midpoints around the quotient.
 #include "mortise/exact/rounding.h"
 
-#include <bit>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <optional>
 
+#include "mortise/base/bits.h"
 #include "mortise/base/error.h"
 
 namespace mortise {
@@ -35,7 +36,7 @@ double approximate_quotient(const BigFloat& a, const BigFloat& b) {
 /// The double above |x|; 2^1024 above the largest one.
 BigFloat next_above(double x) {
   if (x == std::numeric_limits<double>::max()) return BigFloat(0x1p1023) + BigFloat(0x1p1023);
-  return BigFloat(std::bit_cast<double>(std::bit_cast<std::uint64_t>(x) + 1));
+  return BigFloat(cast_bits<double>(cast_bits<std::uint64_t>(x) + 1));
 }
 
 /// Sign of x / w - (a + b) / 2.
@@ -49,15 +50,15 @@ double nearest_of_quotient(const BigFloat& x, const BigFloat& w) {
   const BigFloat twice_x = x + x;
   double h = std::min(approximate_quotient(x, w), max);
   while (true) {
-    const bool is_odd = (std::bit_cast<std::uint64_t>(h) & 1) != 0;
+    const bool is_odd = (cast_bits<std::uint64_t>(h) & 1) != 0;
     const Sign above = side_of_midpoint(twice_x, w, BigFloat(h), next_above(h));
     if (above == Sign::Positive || (above == Sign::Zero && is_odd)) {
       if (h == max) throw Error(ErrorCode::OutOfRange, "exact", "a point of intersection does not fit the range of doubles");
-      h = std::bit_cast<double>(std::bit_cast<std::uint64_t>(h) + 1);
+      h = cast_bits<double>(cast_bits<std::uint64_t>(h) + 1);
       continue;
     }
     if (h == 0) return h;
-    const double below = std::bit_cast<double>(std::bit_cast<std::uint64_t>(h) - 1);
+    const double below = cast_bits<double>(cast_bits<std::uint64_t>(h) - 1);
     const Sign side = side_of_midpoint(twice_x, w, BigFloat(below), BigFloat(h));
     if (side == Sign::Positive || (side == Sign::Zero && !is_odd)) return h;
     h = below;
