@@ -118,7 +118,7 @@ std::vector<VertexId> find_non_manifold_vertices(const SurfaceMesh& mesh, const 
   std::vector<HalfEdgePair> pairs;
   for (std::size_t e = 0; e < topology.edges.size(); ++e) {
     const std::span<const HalfEdge> uses = topology.uses_of(MeshEdgeId(e));
-    if (uses.size() == 2) pairs.emplace_back(uses[0], uses[1]);
+    for (std::size_t i = 1; i < uses.size(); ++i) pairs.emplace_back(uses[0], uses[i]);
   }
   UnionFind corners = join_corners(mesh, pairs);
   std::vector<std::uint32_t> fans(mesh.points.size(), 0);

@@ -4,7 +4,6 @@
 #include "mortise/mesh/topology.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 
 namespace mortise {
@@ -94,7 +93,7 @@ std::vector<MeshEdgeId> find_unbalanced_edges(const SurfaceMesh& mesh, const Mes
 }
 
 std::vector<MeshEdgeId> find_inconsistent_edges(const SurfaceMesh& mesh, const MeshTopology& topology) {
-  return edges_where(topology, [&](MeshEdgeId e) { return std::abs(balance_of(mesh, topology, e)) > 1; });
+  return edges_where(topology, [&](MeshEdgeId e) { return topology.uses_of(e).size() == 2 && balance_of(mesh, topology, e) != 0; });
 }
 
 FaceComponents number_components(UnionFind& faces) {

@@ -47,7 +47,7 @@ struct MeshTopology {
 [[nodiscard]] std::vector<MeshEdgeId> find_non_manifold_edges(const MeshTopology& topology);
 /// Edges whose balance is not zero. None: the surface is closed.
 [[nodiscard]] std::vector<MeshEdgeId> find_unbalanced_edges(const SurfaceMesh& mesh, const MeshTopology& topology);
-/// Edges whose balance is more than one in size: two faces that run the same way. None: the surface is oriented.
+/// Edges of exactly two faces that run the same way along it. None: the surface is oriented.
 [[nodiscard]] std::vector<MeshEdgeId> find_inconsistent_edges(const SurfaceMesh& mesh, const MeshTopology& topology);
 
 /// A partition of the faces; components are numbered by their lowest face.
@@ -63,7 +63,7 @@ struct FaceComponents {
 /// Faces connected through shared edges, with any number of faces on them.
 [[nodiscard]] FaceComponents connect_by_edges(const SurfaceMesh& mesh, const MeshTopology& topology);
 
-/// Vertices whose faces are more than one fan, joined through edges with exactly two uses; ascending.
+/// Vertices whose faces are not all connected through edges at the vertex; ascending.
 [[nodiscard]] std::vector<VertexId> find_non_manifold_vertices(const SurfaceMesh& mesh, const MeshTopology& topology);
 
 /// A mesh taken apart where it touches itself.
