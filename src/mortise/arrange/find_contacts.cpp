@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Broad phase over box trees, narrow phase over exact signs.
+#include "mortise/arrange/find_contacts.h"
+
+#include <algorithm>
+#include <string>
+
+#include "mortise/exact/predicates.h"
+
+namespace mortise {
+namespace {
+
+constexpr const char* stage_name = "find_contacts";
+
+struct Pair {
+  std::uint32_t a, b;  // a < b
+};
+
+// Counts before it stores: n^2 pairs are legal, running out of memory is not.
+class PairList {
+ public:
+  explicit PairList(std::uint64_t memory) : most_pairs_(memory / sizeof(Pair)) {}
+
+  void add(std::uint32_t a, std::uint32_t b) {
+    ++count_;
+    if (count_ <= most_pairs_) pairs_.push_back({std::min(a, b), std::max(a, b)});
+  }
+  [[nodiscard]] std::vector<Pair> take() && {
+    if (count_ > most_pairs_) {
+      throw Error(ErrorCode::ResultTooLarge, stage_name,
+                  std::to_string(count_) + " pairs of faces may touch; they need " + std::to_string(count_ * sizeof(Pair)) + " bytes");
+    }
+    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
+    return std::move(pairs_);
+  }
+
+ private:
+  std::uint64_t most_pairs_;
+  std::uint64_t count_ = 0;
+  std::vector<Pair> pairs_;
+};
+
+void add_pairs_between(const OperandFaces& faces, OperandId k, OperandId m, PairList& pairs) {
+  const std::uint32_t first_k = faces.first[k];
+  const std::uint32_t first_m = faces.first[m];
+  for_each_meeting_pair(faces.trees[k], faces.trees[m], [&](std::uint32_t i, std::uint32_t j) { pairs.add(first_k + i, first_m + j); });
+}
+
+void add_pairs_within(const OperandFaces& faces, OperandId k, PairList& pairs) {
+  const std::uint32_t first = faces.first[k];
+  if (faces.self_contacts[k] == SelfContacts::All) {
+    for_each_meeting_pair_within(faces.trees[k], [&](std::uint32_t i, std::uint32_t j) { pairs.add(first + i, first + j); });
+    return;
+  }
+  for (std::uint32_t f = first; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+    if (faces.shape[SourceId(f)] != FaceShape::Collinear) continue;
+    Box3 box;
+    for (std::size_t i = 0; i < 3; ++i) box.extend(faces.corner_position(SourceId(f), i));
+    faces.trees[k].for_each_meeting(box, [&](std::uint32_t j) {
+      if (faces.shape[SourceId(first + j)] == FaceShape::Proper) pairs.add(f, first + j);
+    });
+  }
+}
+
+std::vector<Pair> find_candidates(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress) {
+  PairList pairs(memory);
+  const std::size_t n = faces.operand_count();
+  for (std::size_t k = 0; k < n; ++k) {
+    report_progress(progress, stage_name, 0.1 * static_cast<double>(k) / static_cast<double>(n));
+    const OperandId operand_k(k);
+    if (faces.self_contacts[operand_k] != SelfContacts::None) add_pairs_within(faces, operand_k, pairs);
+    for (std::size_t m = k + 1; m < n; ++m) {
+      const OperandId operand_m(m);
+      if (boxes_meet(faces.trees[operand_k].bounds(), faces.trees[operand_m].bounds())) {
+        add_pairs_between(faces, operand_k, operand_m, pairs);
+      }
+    }
+  }
+  return std::move(pairs).take();
+}
+
+bool are_shared_corners(const Incidence& i) { return i.on_a.kind == Feature::Kind::Corner && i.on_b.kind == Feature::Kind::Corner; }
+
+// Faces of one operand that meet only in corners they share, or in the edge between two of them, are neighbours.
+bool is_adjacency(const PairClassification& pair) {
+  return pair.contact == PairContact::Touching && std::all_of(pair.incidences.begin(), pair.incidences.end(), are_shared_corners);
+}
+
+void add_stray_points(const OperandFaces& faces, SourceId collinear, SourceId face, std::vector<StrayPoint>& stray_points) {
+  const TriangleCorners t = corners_of(faces, face);
+  const std::optional<Axis> axis = projection_axis(t.position[0], t.position[1], t.position[2]);
+  for (const PointId p : faces.corners[collinear]) {
+    if (std::find(t.id.begin(), t.id.end(), p.value) != t.id.end()) continue;
+    const Vec3d& position = faces.points.nearest(p);
+    Feature feature;
+    if (orient3d(t.position[0], t.position[1], t.position[2], position) != Sign::Zero) continue;
+    if (locate_in_plane(t, *axis, position, feature)) stray_points.push_back({p, face, feature});
+  }
+}
+
+// The narrow phase of one candidate pair.
+void classify_candidate(const OperandFaces& faces, const Pair& pair, PairClassification& scratch, Contacts& contacts) {
+  const SourceId a(pair.a);
+  const SourceId b(pair.b);
+  const FaceShape shape_a = faces.shape[a];
+  const FaceShape shape_b = faces.shape[b];
+  const bool same_operand = faces.operand[a] == faces.operand[b];
+  if (shape_a != FaceShape::Proper || shape_b != FaceShape::Proper) {
+    if (same_operand && shape_a == FaceShape::Collinear && shape_b == FaceShape::Proper) add_stray_points(faces, a, b, contacts.stray_points);
+    if (same_operand && shape_b == FaceShape::Collinear && shape_a == FaceShape::Proper) add_stray_points(faces, b, a, contacts.stray_points);
+    return;
+  }
+  classify_pair(corners_of(faces, a), corners_of(faces, b), scratch);
+  if (scratch.contact == PairContact::None || (same_operand && is_adjacency(scratch))) return;
+  MORTISE_CHECK(scratch.contact == PairContact::Overlap || scratch.incidences.size() <= 2,
+                "faces " + std::to_string(pair.a) + " and " + std::to_string(pair.b));
+  contacts.contacts.push_back({a, b, scratch.contact, static_cast<std::uint32_t>(contacts.incidences.size()),
+                               static_cast<std::uint32_t>(scratch.incidences.size())});
+  contacts.incidences.insert(contacts.incidences.end(), scratch.incidences.begin(), scratch.incidences.end());
+}
+
+}  // namespace
+
+TriangleCorners corners_of(const OperandFaces& faces, SourceId f) {
+  TriangleCorners t{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    t.id[i] = faces.corners[f][i].value;
+    t.position[i] = faces.corner_position(f, i);
+  }
+  return t;
+}
+
+Contacts find_contacts(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress) {
+  const std::vector<Pair> candidates = find_candidates(faces, memory, progress);
+  Contacts contacts;
+  contacts.candidate_pairs = candidates.size();
+  PairClassification scratch;
+  constexpr std::size_t pairs_per_report = 65536;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    if (i % pairs_per_report == 0) {
+      report_progress(progress, stage_name, 0.1 + 0.2 * static_cast<double>(i) / static_cast<double>(candidates.size()));
+    }
+    classify_candidate(faces, candidates[i], scratch, contacts);
+  }
+  return contacts;
+}
+
+}  // namespace mortise

@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Gathers the operands of a call: weld, face shapes, closedness, box trees.
+#include "mortise/arrange/operand_faces.h"
+
+#include <algorithm>
+
+#include "mortise/base/error.h"
+
+#include "mortise/exact/predicates.h"
+#include "mortise/mesh/validate.h"
+
+namespace mortise {
+namespace {
+
+std::uint64_t mixed(std::uint64_t x) {
+  x ^= x >> 30U;
+  x *= 0xbf58476d1ce4e5b9U;
+  x ^= x >> 27U;
+  x *= 0x94d049bb133111ebU;
+  return x ^ (x >> 31U);
+}
+
+// 128 bits of a directed edge; the sum over all edges less that of their reverses is zero for a closed surface.
+struct EdgeSum {
+  std::uint64_t low = 0, high = 0;
+
+  void add(PointId from, PointId to) {
+    const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
+    low += mixed(key);
+    high += mixed(key ^ 0x9e3779b97f4a7c15U);
+  }
+  void subtract(PointId from, PointId to) {
+    const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
+    low -= mixed(key);
+    high -= mixed(key ^ 0x9e3779b97f4a7c15U);
+  }
+};
+
+bool is_closed(const OperandFaces& faces, OperandId k) {
+  EdgeSum sum;
+  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+    const PlanePoints& c = faces.corners[SourceId(f)];
+    for (std::size_t i = 0; i < 3; ++i) {
+      sum.add(c[i], c[(i + 1) % 3]);
+      sum.subtract(c[(i + 1) % 3], c[i]);
+    }
+  }
+  return sum.low == 0 && sum.high == 0;
+}
+
+// Do two faces of the operand have the same three corners? (A chance of 1e-9 to say so wrongly costs time only.)
+bool has_coincident_faces(const OperandFaces& faces, OperandId k) {
+  std::vector<std::uint64_t> keys;
+  keys.reserve(faces.first[OperandId(k.index() + 1)] - faces.first[k]);
+  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+    const PlanePoints& c = faces.corners[SourceId(f)];
+    keys.push_back(mixed(c[0].value) + mixed(c[1].value) + mixed(c[2].value));
+  }
+  std::sort(keys.begin(), keys.end());
+  return std::adjacent_find(keys.begin(), keys.end()) != keys.end();
+}
+
+FaceShape shape_of(const PointSet& points, const PlanePoints& c) {
+  if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return FaceShape::Repeated;
+  return are_collinear(points.nearest(c[0]), points.nearest(c[1]), points.nearest(c[2])) ? FaceShape::Collinear : FaceShape::Proper;
+}
+
+std::vector<Box3> face_boxes(const OperandFaces& faces, OperandId k) {
+  std::vector<Box3> boxes;
+  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+    Box3 box;
+    for (std::size_t i = 0; i < 3; ++i) box.extend(faces.corner_position(SourceId(f), i));
+    boxes.push_back(box);
+  }
+  return boxes;
+}
+
+void append_operand(const SurfaceMesh& mesh, OperandFaces& faces) {
+  const OperandId k(faces.operand_count());
+  std::vector<PointId>& point_of = faces.point_of_vertex[faces.point_of_vertex.push_back({})];
+  point_of.reserve(mesh.points.size());
+  for (const Vec3d& p : mesh.points) point_of.push_back(faces.points.add_input(p));
+  bool has_collinear = false;
+  for (const Triangle& t : mesh.triangles) {
+    const PlanePoints c{point_of[t[0].index()], point_of[t[1].index()], point_of[t[2].index()]};
+    faces.corners.push_back(c);
+    faces.operand.push_back(k);
+    faces.shape.push_back(shape_of(faces.points, c));
+    has_collinear |= faces.shape.values().back() == FaceShape::Collinear;
+  }
+  faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
+  const bool is_simple = is_closed(faces, k) && !has_coincident_faces(faces, k);
+  faces.self_contacts.push_back(!is_simple ? SelfContacts::All : has_collinear ? SelfContacts::Collinear : SelfContacts::None);
+  faces.trees.push_back(BoxTree(face_boxes(faces, k)));
+}
+
+}  // namespace
+
+OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
+  OperandFaces faces;
+  std::size_t point_count = 0;
+  std::size_t face_count = 0;
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    try {
+      validate(*operands[k]);
+    } catch (Error& error) {
+      throw std::move(error).in_operand(k);
+    }
+    point_count += operands[k]->points.size();
+    face_count += operands[k]->triangles.size();
+  }
+  faces.points.reserve(point_count);
+  faces.corners.reserve(face_count);
+  faces.shape.reserve(face_count);
+  faces.operand.reserve(face_count);
+  faces.first.push_back(0);
+  for (const SurfaceMesh* mesh : operands) append_operand(*mesh, faces);
+  return faces;
+}
+
+}  // namespace mortise

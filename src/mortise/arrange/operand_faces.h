@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// All operands of one call as faces over one set of points: what every later stage reads.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mortise/base/ids.h"
+#include "mortise/exact/point_set.h"
+#include "mortise/geom/box_tree.h"
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise {
+
+/// A face of any operand, in one running numbering: operand after operand, face after face.
+using SourceId = Id<struct SourceTag>;
+
+enum class FaceShape : std::uint8_t {
+  Proper,      ///< has area
+  Collinear,   ///< three different points on one line: gives its points to the edges it touches, and is dropped
+  Repeated,    ///< names one point twice: dropped
+};
+
+/// Which contacts of an operand with itself are searched (exact-core: self pairs).
+enum class SelfContacts : std::uint8_t {
+  None,       ///< a clean operand: closed, no face without area or twice
+  Collinear,  ///< only those of its faces without area
+  All,        ///< open edges, coincident faces, or crossings that a former pass came upon
+};
+
+struct OperandFaces {
+  PointSet points;
+  IdVector<SourceId, PlanePoints> corners;
+  IdVector<SourceId, FaceShape> shape;
+  IdVector<SourceId, OperandId> operand;
+  IdVector<OperandId, std::uint32_t> first;  ///< operand count + 1 entries: its faces are first[k] .. first[k + 1] - 1
+  IdVector<OperandId, SelfContacts> self_contacts;
+  IdVector<OperandId, BoxTree> trees;  ///< item i is face first[k] + i
+  IdVector<OperandId, std::vector<PointId>> point_of_vertex;
+
+  [[nodiscard]] std::size_t operand_count() const { return self_contacts.size(); }
+  [[nodiscard]] std::uint32_t face_in_operand(SourceId f) const { return f.value - first[operand[f]]; }
+  [[nodiscard]] const Vec3d& corner_position(SourceId f, std::size_t i) const { return points.nearest(corners[f][i]); }
+};
+
+/// Welds equal positions of all operands, sorts out faces without area, and finds who is closed (exact-core 2).
+///
+/// @throws Error{NotFinite, BadIndex}
+/// O(n) in the faces, plus the box trees.
+[[nodiscard]] OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands);
+
+}  // namespace mortise

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Steps 9 and 10 of the paper: on which side of every operand each piece of surface lies, as windings of regions.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "mortise/boolean/patches.h"
+#include "mortise/boolean/seeds.h"
+
+namespace mortise {
+
+/// Winding numbers of one region, of all operands; positive is inside.
+class RunningWinding {
+ public:
+  explicit RunningWinding(std::vector<int> winding);
+
+  [[nodiscard]] int of(OperandId k) const { return winding_[k.index()]; }
+  [[nodiscard]] bool is_inside(OperandId k) const { return winding_[k.index()] > 0; }
+  [[nodiscard]] std::size_t inside_count() const { return inside_count_; }
+  [[nodiscard]] std::size_t operand_count() const { return winding_.size(); }
+
+  void change(OperandId k, int by);
+
+ private:
+  std::vector<int> winding_;
+  std::size_t inside_count_ = 0;
+};
+
+struct Categories {
+  Patches patches;
+  std::vector<Seed> seeds;
+  /// Operands that are not as simple as their SelfContacts says: a winding other than 0 and 1, or facets out of balance.
+  /// Their crossings with themselves must be resolved (exact-core 3); empty when the categories are final.
+  std::vector<OperandId> doubtful;
+  std::vector<OperandId> inside_out;  ///< final operands that enclose nothing but negative winding
+};
+
+/// Windings by radial order and one seed per complex. Differs from the paper, whose walk from a single box product fails at
+/// tangency, coincident faces and touching parts.
+/// O(n) in the facets, plus n log n in those in contact.
+[[nodiscard]] Categories categorize(const OperandFaces& faces, const FaceIntersectionMap& map, const Facets& facets);
+
+/// Visits every region once with its windings; memory O(operands + patches). Order: by complex, then depth first.
+void walk_regions(const OperandFaces& faces, const Facets& facets, const Categories& categories,
+                  const std::function<void(RegionId, const RunningWinding&)>& visit);
+
+}  // namespace mortise

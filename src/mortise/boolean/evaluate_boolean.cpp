@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The pipeline of the paper, one call per stage.
+#include "mortise/boolean/evaluate_boolean.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+#include "mortise/arrange/triangulate_faces.h"
+#include "mortise/base/stopwatch.h"
+#include "mortise/boolean/categorize.h"
+#include "mortise/boolean/certify.h"
+#include "mortise/boolean/intersection_graph.h"
+#include "mortise/boolean/merge.h"
+#include "mortise/boolean/refuse_operands.h"
+#include "mortise/boolean/select.h"
+
+namespace mortise {
+namespace {
+
+struct Arrangement {
+  FaceIntersectionMap map;
+  Facets facets;
+  Categories categories;
+};
+
+// Calls a stage, and adds its time to those of its name.
+template <class Stage>
+auto timed(std::vector<StageTime>& times, const char* name, Stage stage) {
+  const Stopwatch watch;
+  auto result = stage();
+  const auto found = std::find_if(times.begin(), times.end(), [&](const StageTime& t) { return t.stage == name; });
+  if (found == times.end()) {
+    times.push_back({name, watch.milliseconds()});
+  } else {
+    found->milliseconds += watch.milliseconds();
+  }
+  return result;
+}
+
+Arrangement arrange(OperandFaces& faces, const BooleanOptions& options, std::vector<StageTime>& times) {
+  const ProgressCallback& progress = options.progress;
+  const Contacts contacts = timed(times, "find_contacts", [&] { return find_contacts(faces, options.contact_memory, progress); });
+  const Overlays overlays = timed(times, "overlay_coplanar", [&] { return overlay_coplanar(faces, contacts); });
+  Arrangement result;
+  result.map = timed(times, "face_intersection_map", [&] { return build_face_intersection_map(faces, contacts, overlays); });
+  const LineSubdivision lines =
+      timed(times, "split_segments", [&] { return split_segments(faces, overlays, result.map, progress); });
+  result.facets = timed(times, "triangulate_faces", [&] { return triangulate_faces(faces, overlays, result.map, lines, progress); });
+  report_progress(progress, "categorize", 0.65);
+  result.categories = timed(times, "categorize", [&] { return categorize(faces, result.map, result.facets); });
+  return result;
+}
+
+// Arranges again with the self contacts of operands that turned out to need them (exact-core 3).
+Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& options, std::vector<StageTime>& times) {
+  Arrangement result = arrange(faces, options, times);
+  while (!result.categories.doubtful.empty()) {
+    for (const OperandId k : result.categories.doubtful) faces.self_contacts[k] = SelfContacts::All;
+    result = arrange(faces, options, times);
+  }
+  return result;
+}
+
+std::vector<std::uint32_t> operands_with_self_contacts(const OperandFaces& faces) {
+  std::vector<std::uint32_t> result;
+  for (std::uint32_t k = 0; k < faces.operand_count(); ++k) {
+    if (faces.self_contacts[OperandId(k)] != SelfContacts::None) result.push_back(k);
+  }
+  return result;
+}
+
+}  // namespace
+
+BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+  BooleanResult result;
+  BooleanReport& report = result.report;
+  std::vector<StageTime>& times = report.stages;
+  if (operands.empty()) throw Error(ErrorCode::InvalidArgument, operation_name(operation), "at least one operand is needed");
+  report_progress(options.progress, "gather_operands", 0);
+  OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  const Arrangement arrangement = arrange_until_simple(faces, options, times);
+  refuse_operands(operands, faces, arrangement.categories);
+  report_progress(options.progress, "select", 0.75);
+  const std::vector<KeptFacet> kept =
+      timed(times, "select", [&] { return select(operation, faces, arrangement.facets, arrangement.categories); });
+  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, kept); });
+  result.graph = timed(times, "intersection_graph", [&] {
+    return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
+  });
+  report.certificate = timed(times, "certify", [&] { return certify(faces, arrangement.facets, kept, merged, options.progress); });
+  report.contact = measure_contact(faces, arrangement.facets, result.graph);
+  report.self_contacts = operands_with_self_contacts(faces);
+  result.mesh = std::move(merged.mesh);
+  result.provenance = std::move(merged.provenance);
+  report_progress(options.progress, "certify", 1);
+  return result;
+}
+
+BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Union, std::array{&a, &b}, options);
+}
+
+BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Intersect, std::array{&a, &b}, options);
+}
+
+BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Subtract, std::array{&a, &b}, options);
+}
+
+}  // namespace mortise

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What a boolean gives back: the mesh, where it comes from, where the operands met, and a report.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "mortise/mesh/provenance.h"
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise {
+
+/// Where boundaries of different operands meet. Polylines over graph points; a closed loop repeats its first point.
+struct IntersectionGraph {
+  std::vector<Vec3d> points;                          ///< nearest doubles
+  std::vector<std::array<std::uint32_t, 2>> edges;    ///< p < q, sorted
+  std::vector<std::vector<std::uint32_t>> chains;     ///< closed loops first, then open chains; isolated points are in none
+  std::uint32_t closed_loops = 0;
+  std::uint32_t open_chains = 0;
+};
+
+/// Measure of what operands share without sharing volume.
+struct ContactMeasure {
+  std::uint64_t points = 0;  ///< isolated points of contact
+  double length = 0;         ///< of the intersection graph
+  double area = 0;           ///< of coincident faces
+};
+
+enum class CertificateStatus { Certified, Uncertified };
+
+struct Certificate {
+  CertificateStatus status = CertificateStatus::Certified;
+  std::uint64_t triangles_tested = 0;  ///< with a vertex that was rounded
+  std::uint64_t pairs_tested = 0;
+  double largest_displacement = 0;            ///< largest distance bound between an exact point and its doubles
+  std::vector<std::uint32_t> failed_faces;    ///< of the result, ascending; empty when certified
+};
+
+struct StageTime {
+  std::string stage;
+  double milliseconds = 0;
+};
+
+struct BooleanReport {
+  std::vector<StageTime> stages;
+  Certificate certificate;
+  ContactMeasure contact;
+  std::vector<std::uint32_t> self_contacts;  ///< operands whose crossings with themselves had to be resolved
+  std::vector<std::string> notes;
+};
+
+struct BooleanResult {
+  SurfaceMesh mesh;  ///< labels: the label of the source face; names of all operands, equal names merged
+  Provenance provenance;
+  IntersectionGraph graph;
+  BooleanReport report;
+};
+
+}  // namespace mortise

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// One known winding per complex: the region outside it, found by one exact ray.
+#pragma once
+
+#include <vector>
+
+#include "mortise/boolean/patches.h"
+
+namespace mortise {
+
+/// Facets connected through shared points are a complex; `outside` is its region that reaches infinity if it were alone.
+struct Seed {
+  RegionId outside;
+  std::vector<int> winding;  ///< of every operand in `outside`, counted over all other complexes
+};
+
+/// One seed per complex (exact-core 4).
+///
+/// It is taken at the lexicographically smallest point of the complex, which is always an input point: no made point and no
+/// point inside a face or an edge is smaller than all corners. The ray runs towards -x, ties are broken by position.
+/// O(n) in the facets, plus a walk down the box trees of all operands for each complex.
+[[nodiscard]] std::vector<Seed> find_seeds(const OperandFaces& faces, const Facets& facets, const Patches& patches);
+
+}  // namespace mortise
