@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mortise/base/bits.h"
+#include "mortise/exact/double_double.h"
 
 namespace mortise {
 
@@ -58,6 +59,12 @@ BigFloat::BigFloat(double x) : BigFloat(x > 0 ? 1 : x < 0 ? -1 : 0, 0, x == 0 ? 
   limbs[1] = static_cast<std::uint32_t>(low >> 32);
   limbs[2] = shift == 0 ? 0 : static_cast<std::uint32_t>(mantissa >> (64 - shift));
   trim();
+}
+
+BigFloat BigFloat::difference(double a, double b) {
+  const ExactSum s = two_sum(a, -b);
+  if (s.error == 0) return BigFloat(s.sum);  // most often; an overflow makes the error NaN
+  return BigFloat(a) - BigFloat(b);
 }
 
 BigFloat::Leading BigFloat::leading() const {

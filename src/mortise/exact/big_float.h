@@ -60,7 +60,8 @@ class BigFloat {
   /// @param x  finite
   explicit BigFloat(double x);
 
-  [[nodiscard]] static BigFloat difference(double a, double b) { return BigFloat(a) - BigFloat(b); }
+  /// a - b.
+  [[nodiscard]] static BigFloat difference(double a, double b);
 
   [[nodiscard]] Sign sign() const { return sign_of(sign_); }
 

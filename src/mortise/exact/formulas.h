@@ -25,36 +25,38 @@ template <class T>
   return {T::difference(a.x, b.x), T::difference(a.y, b.y), T::difference(a.z, b.z)};
 }
 
+/// a * d - b * c. The result has a type of its own for numbers whose type knows their size (Expansion).
 template <class T>
-[[nodiscard]] T minor(const T& a, const T& b, const T& c, const T& d) {
+[[nodiscard]] auto minor(const T& a, const T& b, const T& c, const T& d) {
   return a * d - b * c;
 }
 
 template <class T>
-[[nodiscard]] Triple<T> cross(const Triple<T>& a, const Triple<T>& b) {
-  return {minor(a[1], a[2], b[1], b[2]), minor(a[2], a[0], b[2], b[0]), minor(a[0], a[1], b[0], b[1])};
+[[nodiscard]] auto cross(const Triple<T>& a, const Triple<T>& b) {
+  return Triple<decltype(a[0] * b[0] - a[0] * b[0])>{minor(a[1], a[2], b[1], b[2]), minor(a[2], a[0], b[2], b[0]),
+                                                     minor(a[0], a[1], b[0], b[1])};
 }
 
-template <class T>
-[[nodiscard]] T dot(const Triple<T>& a, const Triple<T>& b) {
+template <class T, class U>
+[[nodiscard]] auto dot(const Triple<T>& a, const Triple<U>& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 /// (b - a) x (c - a), degree 2.
 template <class T>
-[[nodiscard]] Triple<T> normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+[[nodiscard]] auto normal(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return cross(difference<T>(b, a), difference<T>(c, a));
 }
 
 /// The determinant of orient3d, degree 3.
 template <class T>
-[[nodiscard]] T orient3d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+[[nodiscard]] auto orient3d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   return dot(normal<T>(a, b, c), difference<T>(d, a));
 }
 
 /// The determinant of orient2d, degree 2.
 template <class T>
-[[nodiscard]] T orient2d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+[[nodiscard]] auto orient2d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
   const auto [u, v] = kept_coordinates(axis);
   return minor(T::difference(b[u], a[u]), T::difference(b[v], a[v]), T::difference(c[u], a[u]), T::difference(c[v], a[v]));
 }

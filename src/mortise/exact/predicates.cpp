@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mortise/exact/big_float.h"
+#include "mortise/exact/expansion.h"
 #include "mortise/exact/filters.h"
 #include "mortise/exact/formulas.h"
 
@@ -16,11 +17,13 @@ namespace mortise {
 
 Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   if (const auto sign = filters::orient3d(a, b, c, {d, {}})) return {*sign, Rung::Filter};
+  if (is_in_expansion_range({a, b, c, d})) return {orient3d_value<Expansion<2>>(a, b, c, d).sign(), Rung::Expansion};
   return {orient3d_value<BigFloat>(a, b, c, d).sign(), Rung::BigFloat};
 }
 
 Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
   if (const auto sign = filters::orient2d(a, b, c, axis)) return {*sign, Rung::Filter};
+  if (is_in_expansion_range({a, b, c})) return {orient2d_value<Expansion<2>>(a, b, c, axis).sign(), Rung::Expansion};
   return {orient2d_value<BigFloat>(a, b, c, axis).sign(), Rung::BigFloat};
 }
 
