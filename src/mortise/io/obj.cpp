@@ -151,7 +151,7 @@ SurfaceMesh read_obj(std::string_view text) {
   soup.face_ends = std::move(faces.face_ends);
   soup.face_labels = std::move(faces.face_labels);
   soup.label_names = std::move(faces.label_names);
-  return build_mesh(soup);
+  return build_mesh(std::move(soup));
 }
 
 std::string write_obj(const SurfaceMesh& mesh) {

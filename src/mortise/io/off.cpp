@@ -84,7 +84,7 @@ SurfaceMesh read_off(std::string_view text) {
   for (std::uint32_t i = 0; i < counts.vertices; ++i) soup.points.push_back(read_vertex(lines));
   soup.face_ends.reserve(believable_count(counts.faces, text.size() - lines.offset(), 8));
   for (std::uint32_t i = 0; i < counts.faces; ++i) read_face(lines, counts.vertices, soup);
-  return build_mesh(soup);
+  return build_mesh(std::move(soup));
 }
 
 std::string write_off(const SurfaceMesh& mesh) {

@@ -42,6 +42,6 @@ class LabelTable {
 /// A corner equal to the one before it is dropped, from polygons of more than three corners only: no face vanishes, a polygon that
 /// is left with fewer than three corners becomes one degenerate triangle, and a degenerate triangle stays as it is.
 /// Every face has at least three corners and every corner names a point. O(n log n).
-[[nodiscard]] SurfaceMesh build_mesh(const PolygonSoup& soup);
+[[nodiscard]] SurfaceMesh build_mesh(PolygonSoup soup);
 
 }  // namespace mortise

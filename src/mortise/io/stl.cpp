@@ -118,7 +118,7 @@ SurfaceMesh read_ascii(std::string_view text) {
   } else {
     soup.face_labels.clear();
   }
-  return build_mesh(soup);
+  return build_mesh(std::move(soup));
 }
 
 // ---- Binary ---------------------------------------------------------------------------------------------------------
@@ -164,7 +164,7 @@ SurfaceMesh read_binary(std::string_view bytes) {
     }
     soup.end_face();
   }
-  return build_mesh(soup);
+  return build_mesh(std::move(soup));
 }
 
 // ---- Writing --------------------------------------------------------------------------------------------------------

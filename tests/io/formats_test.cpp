@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Telling formats apart; reading and writing through one door; damaged files never crash.
+#include "mortise/io/formats.h"
+
+#include <array>
+#include <random>
+
+#include "io/io_support.h"
+#include "mortise/io/text.h"
+#include "support/test_scale.h"
+
+using namespace mortise;
+using namespace mortise::test;
+
+namespace {
+
+constexpr std::array kAllFormats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
+
+}  // namespace
+
+TEST_CASE("Every format is told by its content, whatever the name says") {
+  for (const Format format : kAllFormats) {
+    CAPTURE(format_name(format));
+    const std::string bytes = write_mesh(float_tetrahedron(), format);
+    CHECK(detect_format("", bytes) == format);
+    CHECK(format_from_name(format_name(format)) == format);
+    if (format != Format::Obj) CHECK(detect_format("mesh.obj", bytes) == format);
+  }
+}
+
+TEST_CASE("The extension decides, in any case, where the content does not") {
+  CHECK(detect_format("a.b/mesh.OBJ", "hello") == Format::Obj);
+  CHECK(detect_format("C:\\x\\mesh.Stl", "too short") == Format::StlBinary);
+  CHECK(detect_format("mesh.off", "3 1 0\n") == Format::Off);
+  CHECK(format_from_path("out.PLY") == Format::PlyBinary);
+}
+
+TEST_CASE("Without a hint in name or content the format is unknown") {
+  for (const char* name : {"", "mesh", "mesh.txt", "stl", "a.stl/mesh", ".obj/"}) {
+    CAPTURE(name);
+    CHECK(error_of([&] { return detect_format(name, "hello"); }).code == ErrorCode::UnknownFormat);
+    CHECK(error_of([&] { return format_from_path(name); }).code == ErrorCode::UnknownFormat);
+  }
+  CHECK(error_of([] { return format_from_name("dxf"); }).code == ErrorCode::UnknownFormat);
+}
+
+TEST_CASE("A mesh written in any format is read back bit for bit through one door") {
+  for (const Format format : kAllFormats) {
+    CAPTURE(format_name(format));
+    const SurfaceMesh mesh = is_float32_format(format) ? float_tetrahedron() : awkward_tetrahedron();
+    CHECK(corner_bits(read_mesh(write_mesh(mesh, format), "")) == corner_bits(mesh));
+  }
+}
+
+TEST_CASE("Only binary STL keeps coordinates as float32") {
+  for (const Format format : kAllFormats) CHECK(is_float32_format(format) == (format == Format::StlBinary));
+}
+
+TEST_CASE("A file cut off anywhere gives a mesh or an error that names a line or byte") {
+  for (const Format format : kAllFormats) {
+    const std::string bytes = write_mesh(float_tetrahedron(), format);
+    for (std::size_t size = 0; size < bytes.size(); ++size) {
+      try {
+        const SurfaceMesh mesh =
+            read_mesh(std::string_view(bytes).substr(0, size), "mesh." + std::string(format_name(format)).substr(0, 3));
+        REQUIRE(mesh.triangles.size() <= 4);
+      } catch (const Error& error) {
+        CAPTURE(format_name(format), size, error.message);
+        REQUIRE(error.ids.size() == 1);
+        REQUIRE((error.id_kind == IdKind::Line || error.id_kind == IdKind::Byte));
+      }
+    }
+  }
+}
+
+TEST_CASE("A file with random damage gives a mesh with sound indices or a typed error") {
+  constexpr std::uint64_t seed = 3;
+  CAPTURE(seed);
+  std::mt19937_64 random(seed);
+  std::size_t meshes = 0;
+  std::size_t errors = 0;
+  for (const Format format : kAllFormats) {
+    const std::string name = "mesh." + std::string(format_name(format)).substr(0, 3);
+    const std::string sound = write_mesh(float_tetrahedron(), format);
+    for (std::size_t i = 0; i < scaled_count(3000, 100000); ++i) {
+      std::string bytes = sound;
+      for (std::uint64_t flips = random() % 4 + 1; flips > 0; --flips) {
+        const std::size_t at = static_cast<std::size_t>(random() % bytes.size());
+        const std::uint64_t kind = random() % 4;
+        if (kind == 0) bytes[at] = static_cast<char>(random() % 256);
+        if (kind == 1) bytes[at] = "0123456789 \n-+.e/\\#"[random() % 19];
+        if (kind == 2) bytes.erase(at, 1);
+        if (kind == 3) bytes.insert(at, 1, bytes[static_cast<std::size_t>(random() % bytes.size())]);
+        if (bytes.empty()) bytes = "x";
+      }
+      try {
+        const SurfaceMesh mesh = read_mesh(bytes, name);
+        for (const Triangle& triangle : mesh.triangles) {
+          for (const VertexId vertex : triangle) REQUIRE(vertex.index() < mesh.points.size());
+        }
+        REQUIRE((mesh.face_labels.empty() || mesh.face_labels.size() == mesh.triangles.size()));
+        for (const std::uint32_t label : mesh.face_labels) REQUIRE(label < mesh.label_names.size());
+        ++meshes;
+      } catch (const Error& error) {
+        REQUIRE(error.code != ErrorCode::InternalError);
+        ++errors;
+      }
+    }
+  }
+  CHECK(meshes > 100);
+  CHECK(errors > 100);
+}
+
+TEST_CASE("Lines end with LF, CRLF or CR and are counted from 1") {
+  LineReader lines("a\nb\r\nc\rd\n\n\re", "test");
+  std::string seen;
+  while (lines.next()) seen += std::to_string(lines.place().line) + std::string(lines.line()) + ";";
+  CHECK(seen == "1a;2b;3c;4d;5;6;7e;");
+}
