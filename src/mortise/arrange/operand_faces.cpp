@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "mortise/base/bits.h"
 #include "mortise/base/error.h"
 
 #include "mortise/exact/predicates.h"
@@ -13,27 +14,19 @@
 namespace mortise {
 namespace {
 
-std::uint64_t mixed(std::uint64_t x) {
-  x ^= x >> 30U;
-  x *= 0xbf58476d1ce4e5b9U;
-  x ^= x >> 27U;
-  x *= 0x94d049bb133111ebU;
-  return x ^ (x >> 31U);
-}
-
 // 128 bits of a directed edge; the sum over all edges less that of their reverses is zero for a closed surface.
 struct EdgeSum {
   std::uint64_t low = 0, high = 0;
 
   void add(PointId from, PointId to) {
     const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
-    low += mixed(key);
-    high += mixed(key ^ 0x9e3779b97f4a7c15U);
+    low += mixed_bits(key);
+    high += mixed_bits(key ^ 0x9e3779b97f4a7c15U);
   }
   void subtract(PointId from, PointId to) {
     const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
-    low -= mixed(key);
-    high -= mixed(key ^ 0x9e3779b97f4a7c15U);
+    low -= mixed_bits(key);
+    high -= mixed_bits(key ^ 0x9e3779b97f4a7c15U);
   }
 };
 
@@ -55,7 +48,7 @@ bool has_coincident_faces(const OperandFaces& faces, OperandId k) {
   keys.reserve(faces.first[OperandId(k.index() + 1)] - faces.first[k]);
   for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
     const PlanePoints& c = faces.corners[SourceId(f)];
-    keys.push_back(mixed(c[0].value) + mixed(c[1].value) + mixed(c[2].value));
+    keys.push_back(mixed_bits(c[0].value) + mixed_bits(c[1].value) + mixed_bits(c[2].value));
   }
   std::sort(keys.begin(), keys.end());
   return std::adjacent_find(keys.begin(), keys.end()) != keys.end();

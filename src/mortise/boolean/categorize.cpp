@@ -4,7 +4,8 @@
 #include "mortise/boolean/categorize.h"
 
 #include <algorithm>
-#include <string>
+
+#include "mortise/base/bits.h"
 
 namespace mortise {
 namespace {
@@ -81,38 +82,92 @@ class RegionWalk {
   std::vector<std::uint8_t> visited_;
 };
 
-// Judges the windings each operand takes anywhere.
-void judge_operands(const OperandFaces& faces, const Facets& facets, Categories& categories) {
+// The windings each operand takes anywhere.
+struct WindingRange {
+  IdVector<OperandId, int> lowest, highest;
+};
+
+WindingRange find_range(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
   const std::size_t n = faces.operand_count();
-  IdVector<OperandId, int> lowest(n, 0);
-  IdVector<OperandId, int> highest(n, 0);
+  WindingRange range{IdVector<OperandId, int>(n, 0), IdVector<OperandId, int>(n, 0)};
   walk_regions(faces, facets, categories, [&](RegionId, const RunningWinding& w) {
     for (std::size_t i = 0; i < n; ++i) {
       const OperandId k(i);
-      lowest[k] = std::min(lowest[k], w.of(k));
-      highest[k] = std::max(highest[k], w.of(k));
+      range.lowest[k] = std::min(range.lowest[k], w.of(k));
+      range.highest[k] = std::max(range.highest[k], w.of(k));
     }
   });
-  IdVector<OperandId, std::uint8_t> is_unbalanced(n, 0);
-  for (const UnbalancedEdge& e : categories.patches.unbalanced) is_unbalanced[e.operand] = 1;
+  return range;
+}
+
+// Patches whose two sides do not differ by their jumps: an operand crosses itself unresolved.
+std::vector<PatchId> find_torn_patches(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  const Patches& patches = categories.patches;
+  IdVector<RegionId, std::uint64_t> digest(patches.region_count, 0);
+  walk_regions(faces, facets, categories, [&](RegionId r, const RunningWinding& w) { digest[r] = w.digest(); });
+  std::vector<PatchId> torn;
+  for (std::size_t p = 0; p < patches.first_facet.size(); ++p) {
+    std::uint64_t expected = digest[patches.front[PatchId(p)]];
+    for (const Jump& j : jumps_of(faces, facets, patches.first_facet[PatchId(p)])) {
+      expected += RunningWinding::digest_of_change(j.operand, j.change);
+    }
+    if (expected != digest[patches.back[PatchId(p)]]) torn.push_back(PatchId(p));
+  }
+  return torn;
+}
+
+// Operands whose winding does not fit the jumps of a torn patch.
+void mark_torn_operands(const OperandFaces& faces, const Facets& facets, const Categories& categories, IdVector<OperandId, std::uint8_t>& is_torn) {
+  const Patches& patches = categories.patches;
+  const std::vector<PatchId> torn = find_torn_patches(faces, facets, categories);
+  if (torn.empty()) return;
+  IdVector<RegionId, std::vector<int>> winding(patches.region_count);
+  for (const PatchId p : torn) winding[patches.front[p]].resize(faces.operand_count());
+  for (const PatchId p : torn) winding[patches.back[p]].resize(faces.operand_count());
+  walk_regions(faces, facets, categories, [&](RegionId r, const RunningWinding& w) {
+    for (std::size_t k = 0; k < winding[r].size(); ++k) winding[r][k] = w.of(OperandId(k));
+  });
+  for (const PatchId p : torn) {
+    std::vector<int> expected = winding[patches.front[p]];
+    for (const Jump& j : jumps_of(faces, facets, patches.first_facet[p])) expected[j.operand.index()] += j.change;
+    for (std::size_t k = 0; k < expected.size(); ++k) {
+      if (expected[k] != winding[patches.back[p]][k]) is_torn[OperandId(k)] = 1;
+    }
+  }
+}
+
+void judge_operands(const OperandFaces& faces, const Facets& facets, Categories& categories) {
+  const std::size_t n = faces.operand_count();
+  const WindingRange range = find_range(faces, facets, categories);
+  IdVector<OperandId, std::uint8_t> is_torn(n, 0);
+  mark_torn_operands(faces, facets, categories, is_torn);
+  for (const UnbalancedEdge& e : categories.patches.unbalanced) is_torn[e.operand] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     const OperandId k(i);
-    const bool is_simple = lowest[k] == 0 && highest[k] <= 1 && is_unbalanced[k] == 0;
+    const bool is_simple = range.lowest[k] == 0 && range.highest[k] <= 1 && is_torn[k] == 0;
     if (!is_simple && faces.self_contacts[k] != SelfContacts::All) categories.doubtful.push_back(k);
-    if (highest[k] <= 0 && lowest[k] < 0) categories.inside_out.push_back(k);
+    if (range.highest[k] <= 0 && range.lowest[k] < 0) categories.inside_out.push_back(k);
   }
 }
 
 }  // namespace
 
 RunningWinding::RunningWinding(std::vector<int> winding) : winding_(std::move(winding)) {
-  for (const int w : winding_) inside_count_ += w > 0 ? 1 : 0;
+  for (std::size_t k = 0; k < winding_.size(); ++k) {
+    inside_count_ += winding_[k] > 0 ? 1 : 0;
+    digest_ += digest_of_change(OperandId(k), winding_[k]);
+  }
+}
+
+std::uint64_t RunningWinding::digest_of_change(OperandId k, int by) {
+  return mixed_bits(k.value) * static_cast<std::uint64_t>(std::int64_t{by});
 }
 
 void RunningWinding::change(OperandId k, int by) {
   int& w = winding_[k.index()];
   inside_count_ -= w > 0 ? 1 : 0;
   w += by;
+  digest_ += digest_of_change(k, by);
   inside_count_ += w > 0 ? 1 : 0;
 }
 

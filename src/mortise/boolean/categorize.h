@@ -22,17 +22,24 @@ class RunningWinding {
   [[nodiscard]] std::size_t inside_count() const { return inside_count_; }
   [[nodiscard]] std::size_t operand_count() const { return winding_.size(); }
 
+  /// 64 bits of all windings: equal windings have equal digests.
+  [[nodiscard]] std::uint64_t digest() const { return digest_; }
+  /// By how much a change adds to the digest, modulo 2^64.
+  [[nodiscard]] static std::uint64_t digest_of_change(OperandId k, int by);
+
   void change(OperandId k, int by);
 
  private:
   std::vector<int> winding_;
   std::size_t inside_count_ = 0;
+  std::uint64_t digest_ = 0;
 };
 
 struct Categories {
   Patches patches;
   std::vector<Seed> seeds;
-  /// Operands that are not as simple as their SelfContacts says: a winding other than 0 and 1, or facets out of balance.
+  /// Operands that are not as simple as their SelfContacts says: a winding other than 0 and 1, facets out of balance, or
+  /// windings that differ with the way they are reached.
   /// Their crossings with themselves must be resolved (exact-core 3); empty when the categories are final.
   std::vector<OperandId> doubtful;
   std::vector<OperandId> inside_out;  ///< final operands that enclose nothing but negative winding

@@ -47,7 +47,7 @@ struct Patches {
   IdVector<FacetId, PatchId> patch_of_facet;
   IdVector<PatchId, FacetId> first_facet;
   IdVector<PatchId, RegionId> front, back;
-  std::uint32_t region_count = 0;  ///< pieces of space as seen from one complex; those of different complexes are not joined
+  std::uint32_t region_count = 0;  ///< pieces of space as seen from one complex; those of different complexes stay apart
   std::vector<Junction> junctions;
   std::vector<FacetAtEdge> around;
   std::vector<UnbalancedEdge> unbalanced;

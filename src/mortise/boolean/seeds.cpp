@@ -22,11 +22,8 @@ bool is_lexicographically_less(const Vec3d& a, const Vec3d& b) {
 class SeedFinder {
  public:
   SeedFinder(const OperandFaces& faces, const Facets& facets, const Patches& patches)
-      : faces_(faces), facets_(facets), patches_(patches), complexes_(faces.points.size()) {
-    for (const PlanePoints& c : facets.corners) {
-      complexes_.join(c[0].value, c[1].value);
-      complexes_.join(c[1].value, c[2].value);
-    }
+      : faces_(faces), facets_(facets), patches_(patches), complex_of_face_(faces.corners.size(), no_number) {
+    number_complexes();
   }
 
   [[nodiscard]] std::vector<Seed> find() {
@@ -36,36 +33,51 @@ class SeedFinder {
     for (std::size_t i = 0; i < extremes_.size(); ++i) {
       const auto begin = facets_at_extreme_.begin() + first_at_extreme_[i];
       const auto end = facets_at_extreme_.begin() + first_at_extreme_[i + 1];
-      seeds.push_back({region_outside(extremes_[i], {begin, end}), windings_at(extremes_[i])});
+      seeds.push_back({region_outside(extremes_[i], {begin, end}), windings_at(extremes_[i], static_cast<std::uint32_t>(i))});
     }
     return seeds;
   }
 
  private:
+  static constexpr std::uint32_t no_number = std::numeric_limits<std::uint32_t>::max();
+
+  // Complexes in the order of their first facets.
+  void number_complexes() {
+    UnionFind joined(patches_.first_facet.size());
+    for (const Junction& j : patches_.junctions) {
+      const std::uint32_t first = patches_.patch_of_facet[patches_.facets_round(j).front().facet].value;
+      for (const FacetAtEdge& f : patches_.facets_round(j)) joined.join(first, patches_.patch_of_facet[f.facet].value);
+    }
+    std::vector<std::uint32_t> number(joined.size(), no_number);
+    for (std::uint32_t p = 0; p < joined.size(); ++p) {
+      const std::uint32_t root = joined.find(p);
+      if (root == p) number[p] = complex_count_++;
+      complex_of_patch_.push_back(number[root]);
+    }
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+      for (const FacetSource& s : facets_.sources_of(FacetId(i))) complex_of_face_[s.face] = complex_of(FacetId(i));
+    }
+  }
+
+  [[nodiscard]] std::uint32_t complex_of(FacetId f) const { return complex_of_patch_[patches_.patch_of_facet[f]]; }
+
   void find_extreme_points() {
-    std::vector<std::uint32_t> number(faces_.points.size(), std::numeric_limits<std::uint32_t>::max());
-    for (const PlanePoints& c : facets_.corners) {
-      std::uint32_t& n = number[complexes_.find(c[0].value)];
-      if (n == std::numeric_limits<std::uint32_t>::max()) {
-        n = static_cast<std::uint32_t>(extremes_.size());
-        extremes_.push_back(PointId());
-      }
-      for (const PointId p : c) {
+    extremes_.assign(complex_count_, PointId());
+    for (std::size_t i = 0; i < facets_.size(); ++i) {
+      PointId& extreme = extremes_[complex_of(FacetId(i))];
+      for (const PointId p : facets_.corners[FacetId(i)]) {
         if (!faces_.points.is_input(p)) continue;
-        PointId& extreme = extremes_[n];
         if (!extreme.is_valid() || is_lexicographically_less(faces_.points.nearest(p), faces_.points.nearest(extreme))) extreme = p;
       }
     }
   }
 
   void collect_facets_at_extremes() {
-    std::vector<std::uint32_t> number(faces_.points.size(), std::numeric_limits<std::uint32_t>::max());
-    for (std::size_t i = 0; i < extremes_.size(); ++i) number[extremes_[i].index()] = static_cast<std::uint32_t>(i);
     std::vector<std::pair<std::uint32_t, FacetId>> incident;
     for (std::size_t i = 0; i < facets_.size(); ++i) {
-      for (const PointId p : facets_.corners[FacetId(i)]) {
-        if (number[p.index()] != std::numeric_limits<std::uint32_t>::max()) incident.emplace_back(number[p.index()], FacetId(i));
-      }
+      const PlanePoints& c = facets_.corners[FacetId(i)];
+      const std::uint32_t complex = complex_of(FacetId(i));
+      if (std::find(c.begin(), c.end(), extremes_[complex]) != c.end()) incident.emplace_back(complex, FacetId(i));
     }
     std::sort(incident.begin(), incident.end());
     std::size_t next = 0;
@@ -138,14 +150,13 @@ class SeedFinder {
     const Sign turn = orient2d(a, b, c, Axis::X);
     if (turn == Sign::Zero) return 0;
     if (perturbed_turn(a, b, p) != turn || perturbed_turn(b, c, p) != turn || perturbed_turn(c, a, p) != turn) return 0;
-    if (orient3d(a, b, c, p) != turn) return 0;  // the face lies beyond p
+    if (orient3d(a, b, c, p) != turn) return 0;  // the face lies beyond p, or contains it
     return -static_cast<int>(turn);
   }
 
-  std::vector<int> windings_at(PointId v) {
+  std::vector<int> windings_at(PointId v, std::uint32_t own) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     const Vec3d& p = faces_.points.nearest(v);
-    const std::uint32_t own = complexes_.find(v.value);
     Box3 ray;
     ray.lo = {-infinity, p.y, p.z};
     ray.hi = p;
@@ -154,7 +165,7 @@ class SeedFinder {
       const OperandId operand(k);
       faces_.trees[operand].for_each_meeting(ray, [&](std::uint32_t i) {
         const SourceId f(faces_.first[operand] + i);
-        if (faces_.shape[f] != FaceShape::Proper || complexes_.find(faces_.corners[f][0].value) == own) return;
+        if (faces_.shape[f] != FaceShape::Proper || complex_of_face_[f] == own) return;
         winding[k] += crossing_before(f, p);
       });
     }
@@ -164,7 +175,9 @@ class SeedFinder {
   const OperandFaces& faces_;
   const Facets& facets_;
   const Patches& patches_;
-  UnionFind complexes_;
+  std::uint32_t complex_count_ = 0;
+  IdVector<PatchId, std::uint32_t> complex_of_patch_;
+  IdVector<SourceId, std::uint32_t> complex_of_face_;
   std::vector<PointId> extremes_;
   std::vector<FacetId> facets_at_extreme_;
   std::vector<std::ptrdiff_t> first_at_extreme_;
