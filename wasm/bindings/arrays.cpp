@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Copies between JavaScript's typed arrays and the library's plain arrays.
+#include "arrays.h"
+
+#include "mortise/mesh/validate.h"
+
+namespace mortise::wasm {
+namespace {
+
+using emscripten::val;
+
+// The library keeps points and triangles without gaps, so their numbers can be copied in one piece.
+static_assert(sizeof(std::array<std::uint32_t, 2>) == 2 * sizeof(std::uint32_t));
+static_assert(sizeof(Vec3d) == 3 * sizeof(double) && sizeof(Triangle) == 3 * sizeof(std::uint32_t));
+
+std::span<const double> numbers_of(const std::vector<Vec3d>& points) {
+  return {reinterpret_cast<const double*>(points.data()), 3 * points.size()};
+}
+
+std::span<const std::uint32_t> numbers_of(const std::vector<Triangle>& triangles) {
+  return {reinterpret_cast<const std::uint32_t*>(triangles.data()), 3 * triangles.size()};
+}
+
+std::size_t length_of(const val& array) { return array["length"].as<std::size_t>(); }
+
+std::vector<Triangle> triangles_in(const val& array) {
+  std::vector<Triangle> triangles(length_of(array) / 3);
+  copy_in<std::uint32_t>(array, {reinterpret_cast<std::uint32_t*>(triangles.data()), 3 * triangles.size()});
+  return triangles;
+}
+
+std::vector<Triangle> triangles_in_order(std::size_t point_count) {
+  std::vector<Triangle> triangles(point_count / 3);
+  for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = {VertexId(3 * i), VertexId(3 * i + 1), VertexId(3 * i + 2)};
+  return triangles;
+}
+
+std::vector<std::string> strings_in(const val& array) {
+  std::vector<std::string> strings(length_of(array));
+  for (std::size_t i = 0; i < strings.size(); ++i) strings[i] = array[i].as<std::string>();
+  return strings;
+}
+
+SurfaceMesh unchecked_mesh_in(const val& object) {
+  SurfaceMesh mesh;
+  const val positions = object["positions"];
+  mesh.points.resize(length_of(positions) / 3);
+  copy_in<double>(positions, {reinterpret_cast<double*>(mesh.points.data()), 3 * mesh.points.size()});
+  const val triangles = object["triangles"];
+  mesh.triangles = triangles.isUndefined() ? triangles_in_order(mesh.points.size()) : triangles_in(triangles);
+  const val labels = object["faceLabels"];
+  if (labels.isUndefined()) return mesh;
+  mesh.face_labels.resize(length_of(labels));
+  copy_in<std::uint32_t>(labels, mesh.face_labels);
+  mesh.label_names = strings_in(object["labelNames"]);
+  return mesh;
+}
+
+}  // namespace
+
+val points_out(const std::vector<Vec3d>& points) { return copy_out(numbers_of(points)); }
+
+val pairs_out(const std::vector<std::array<std::uint32_t, 2>>& pairs) {
+  return copy_out(std::span<const std::uint32_t>(reinterpret_cast<const std::uint32_t*>(pairs.data()), 2 * pairs.size()));
+}
+
+val strings_out(const std::vector<std::string>& strings) {
+  val array = val::array();
+  for (const std::string& text : strings) array.call<void>("push", text);
+  return array;
+}
+
+SurfaceMesh mesh_in(const val& object) {
+  SurfaceMesh mesh = unchecked_mesh_in(object);
+  validate(mesh);
+  return mesh;
+}
+
+val mesh_out(const SurfaceMesh& mesh) {
+  val object = val::object();
+  object.set("positions", points_out(mesh.points));
+  object.set("triangles", copy_out(numbers_of(mesh.triangles)));
+  if (mesh.face_labels.empty()) return object;
+  object.set("faceLabels", copy_out(mesh.face_labels));
+  object.set("labelNames", strings_out(mesh.label_names));
+  return object;
+}
+
+std::string bytes_in(const val& array) {
+  std::string bytes(length_of(array), '\0');
+  copy_in<std::uint8_t>(array, {reinterpret_cast<std::uint8_t*>(bytes.data()), bytes.size()});
+  return bytes;
+}
+
+val bytes_out(const std::string& bytes) {
+  return copy_out(std::span<const std::uint8_t>(reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()));
+}
+
+}  // namespace mortise::wasm

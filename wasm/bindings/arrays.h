@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Copies between JavaScript's typed arrays and the library's plain arrays. Only copies cross the border.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "mortise/geom/vec.h"
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise::wasm {
+
+/// A new Float64Array, Uint32Array or Uint8Array of JavaScript, according to the type of the numbers.
+template <class T>
+[[nodiscard]] emscripten::val copy_out(std::span<const T> numbers) {
+  return emscripten::val(emscripten::typed_memory_view(numbers.size(), numbers.data())).template call<emscripten::val>("slice");
+}
+
+template <class T>
+[[nodiscard]] emscripten::val copy_out(const std::vector<T>& numbers) {
+  return copy_out(std::span<const T>(numbers));
+}
+
+/// Fills `numbers` from a typed array of the same length; JavaScript converts float32 to double.
+template <class T>
+void copy_in(const emscripten::val& array, std::span<T> numbers) {
+  emscripten::val(emscripten::typed_memory_view(numbers.size(), numbers.data())).template call<void>("set", array);
+}
+
+/// Three numbers per point.
+[[nodiscard]] emscripten::val points_out(const std::vector<Vec3d>& points);
+
+/// Two numbers per pair.
+[[nodiscard]] emscripten::val pairs_out(const std::vector<std::array<std::uint32_t, 2>>& pairs);
+
+/// An array of JavaScript strings.
+[[nodiscard]] emscripten::val strings_out(const std::vector<std::string>& strings);
+
+/// The valid mesh of {positions, triangles?, faceLabels?, labelNames?}, typed arrays of the right length. Without triangles every three
+/// points are one.
+/// @throws what validate() throws
+[[nodiscard]] SurfaceMesh mesh_in(const emscripten::val& object);
+
+/// {positions, triangles, faceLabels?, labelNames?}.
+[[nodiscard]] emscripten::val mesh_out(const SurfaceMesh& mesh);
+
+/// The bytes of a Uint8Array.
+[[nodiscard]] std::string bytes_in(const emscripten::val& array);
+
+/// A Uint8Array.
+[[nodiscard]] emscripten::val bytes_out(const std::string& bytes);
+
+}  // namespace mortise::wasm

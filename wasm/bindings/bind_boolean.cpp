@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The booleans: meshes in, {mesh, report, graph, provenance} out.
+#include <emscripten/bind.h>
+
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "border.h"
+#include "mortise/boolean/evaluate_boolean.h"
+#include "report.h"
+
+namespace mortise::wasm {
+namespace {
+
+using emscripten::val;
+
+Operation operation_from_name(const std::string& name) {
+  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
+    if (name == operation_name(operation)) return operation;
+  }
+  throw Error(ErrorCode::InvalidArgument, "evaluate_boolean", "no operation has this name: " + name);
+}
+
+SurfaceMesh operand_in(const val& object, std::size_t index) {
+  try {
+    return mesh_in(object);
+  } catch (Error& error) {
+    throw std::move(error).in_operand(index);
+  }
+}
+
+std::vector<SurfaceMesh> operands_in(const val& array) {
+  std::vector<SurfaceMesh> operands(array["length"].as<std::size_t>());
+  for (std::size_t i = 0; i < operands.size(); ++i) operands[i] = operand_in(array[i], i);
+  return operands;
+}
+
+std::vector<const SurfaceMesh*> pointers_to(const std::vector<SurfaceMesh>& meshes) {
+  std::vector<const SurfaceMesh*> pointers;
+  for (const SurfaceMesh& mesh : meshes) pointers.push_back(&mesh);
+  return pointers;
+}
+
+/// @param listener  of JavaScript, (stage, fraction) -> go on?; or undefined
+BooleanOptions options_in(const val& listener) {
+  BooleanOptions options;
+  if (listener.isUndefined()) return options;
+  options.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
+  return options;
+}
+
+val graph_out(const IntersectionGraph& graph) {
+  val chains = val::array();
+  for (const std::vector<std::uint32_t>& chain : graph.chains) chains.call<void>("push", copy_out(chain));
+  val object = val::object();
+  object.set("points", points_out(graph.points));
+  object.set("edges", pairs_out(graph.edges));
+  object.set("chains", chains);
+  object.set("closedLoops", graph.closed_loops);
+  object.set("openChains", graph.open_chains);
+  return object;
+}
+
+val provenance_out(const Provenance& provenance) {
+  val object = val::object();
+  object.set("sourceOperand", copy_out(provenance.source_operand));
+  object.set("sourceFace", copy_out(provenance.source_face));
+  object.set("flipped", copy_out(provenance.flipped));
+  object.set("otherSourceBegin", copy_out(provenance.other_source_begin));
+  object.set("otherSourceOperand", copy_out(provenance.other_source_operand));
+  object.set("otherSourceFace", copy_out(provenance.other_source_face));
+  object.set("vertexOperand", copy_out(provenance.vertex_operand));
+  object.set("vertexSource", copy_out(provenance.vertex_source));
+  return object;
+}
+
+val evaluate(const std::string& operation, const val& meshes, const val& listener) {
+  return answer([&] {
+    const std::vector<SurfaceMesh> operands = operands_in(meshes);
+    const BooleanResult result = evaluate_boolean(operation_from_name(operation), pointers_to(operands), options_in(listener));
+    val object = val::object();
+    object.set("mesh", mesh_out(result.mesh));
+    object.set("report", boolean_report_out(operands, result));
+    object.set("graph", graph_out(result.graph));
+    object.set("provenance", provenance_out(result.provenance));
+    return object;
+  });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(mortise_boolean) { emscripten::function("evaluateBoolean", &evaluate); }
+
+}  // namespace mortise::wasm

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// No C++ exception crosses into JavaScript: every bound function answers {value} or {error}.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <exception>
+#include <new>
+#include <stdexcept>
+
+#include "mortise/base/error.h"
+
+namespace mortise::wasm {
+
+/// {code, stage, message, details: {operand?, kind?, ids?}}.
+[[nodiscard]] emscripten::val error_out(const Error& error);
+
+/// {value: work()} or {error}. Exceptions of JavaScript pass through.
+template <class Work>
+[[nodiscard]] emscripten::val answer(Work work) {
+  emscripten::val object = emscripten::val::object();
+  try {
+    object.set("value", work());
+  } catch (const Error& error) {
+    object.set("error", error_out(error));
+  } catch (const std::bad_alloc&) {
+    object.set("error", error_out(Error(ErrorCode::OutOfMemory, "", "the memory of the WebAssembly core (at most 4 GB) is not enough")));
+  } catch (const std::length_error&) {
+    object.set("error", error_out(Error(ErrorCode::OutOfMemory, "", "an array would be larger than 32 bits can address")));
+  } catch (const std::exception& error) {
+    object.set("error", error_out(Error(ErrorCode::InternalError, "", error.what())));
+  }
+  return object;
+}
+
+}  // namespace mortise::wasm

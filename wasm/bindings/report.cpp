@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Reports as JavaScript objects.
+#include "report.h"
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "arrays.h"
+#include "mortise/base/numbers.h"
+#include "mortise/base/stopwatch.h"
+#include "mortise/mesh/inspect.h"
+#include "mortise/mesh/weld.h"
+
+namespace mortise::wasm {
+namespace {
+
+using emscripten::val;
+
+// JavaScript has no integers of 64 bits without BigInt; counts stay far below 2^53.
+val count_out(std::uint64_t count) { return val(static_cast<double>(count)); }
+
+val corner_out(const Vec3d& p) {
+  val array = val::array();
+  for (std::size_t i = 0; i < 3; ++i) array.call<void>("push", p[i]);
+  return array;
+}
+
+val box_out(const Box3& box) {
+  if (box.is_empty()) return val::null();
+  val object = val::object();
+  object.set("min", corner_out(box.lo));
+  object.set("max", corner_out(box.hi));
+  return object;
+}
+
+val angle_out(const MeshReport& report, double degrees) { return report.triangles == 0 ? val::null() : val(degrees); }
+
+/// The fields a mesh has by itself; the others as of a mesh no call made.
+val mesh_report_out(const MeshReport& report) {
+  val object = val::object();
+  object.set("vertices", count_out(report.vertices));
+  object.set("triangles", count_out(report.triangles));
+  object.set("closed", report.closed);
+  object.set("oriented", report.oriented);
+  object.set("manifold", report.manifold);
+  object.set("boundaryEdges", count_out(report.boundary_edges));
+  object.set("nonManifoldEdges", count_out(report.non_manifold_edges));
+  object.set("components", count_out(report.components));
+  object.set("genus", report.genus ? val(static_cast<double>(*report.genus)) : val::null());
+  object.set("volume", report.volume ? val(*report.volume) : val::null());
+  object.set("area", report.area);
+  object.set("bbox", box_out(report.bbox));
+  object.set("minAngleDeg", angle_out(report, report.min_angle_deg));
+  object.set("maxAngleDeg", angle_out(report, report.max_angle_deg));
+  object.set("selfIntersections", count_out(report.self_intersections));
+  return object;
+}
+
+val stage_out(const StageTime& time) {
+  val object = val::object();
+  object.set("stage", time.stage);
+  object.set("milliseconds", time.milliseconds);
+  return object;
+}
+
+template <class Item, class Convert>
+val list_out(const std::vector<Item>& items, Convert convert) {
+  val array = val::array();
+  for (const Item& item : items) array.call<void>("push", convert(item));
+  return array;
+}
+
+val graph_counts_out(const IntersectionGraph& graph) {
+  val object = val::object();
+  object.set("vertices", count_out(graph.points.size()));
+  object.set("edges", count_out(graph.edges.size()));
+  object.set("closedLoops", graph.closed_loops);
+  object.set("openChains", graph.open_chains);
+  return object;
+}
+
+val contact_out(const ContactMeasure& contact) {
+  val object = val::object();
+  object.set("points", count_out(contact.points));
+  object.set("length", contact.length);
+  object.set("area", contact.area);
+  return object;
+}
+
+val operands_out(std::span<const SurfaceMesh> operands, const std::vector<std::uint32_t>& self_contacts) {
+  val array = val::array();
+  for (std::uint32_t k = 0; k < operands.size(); ++k) {
+    val object = val::object();
+    object.set("vertices", count_out(operands[k].points.size()));
+    object.set("triangles", count_out(operands[k].triangles.size()));
+    object.set("selfContacts", std::binary_search(self_contacts.begin(), self_contacts.end(), k));
+    array.call<void>("push", object);
+  }
+  return array;
+}
+
+void note_if(std::vector<std::string>& notes, std::uint64_t count, const std::string& what) {
+  if (count != 0) notes.push_back(std::to_string(count) + " " + what);
+}
+
+std::vector<std::string> mesh_notes(const MeshReport& report) {
+  std::vector<std::string> notes;
+  note_if(notes, report.crossing_pairs, "pairs of triangles cross");
+  note_if(notes, report.overlapping_pairs, "pairs of triangles overlap in one plane");
+  note_if(notes, report.touching_pairs, "pairs of triangles touch beyond what they share");
+  note_if(notes, report.degenerate_faces, "triangles have no area");
+  note_if(notes, report.duplicate_faces, "triangles repeat another");
+  note_if(notes, report.non_manifold_vertices, "vertices join more than one fan of triangles");
+  return notes;
+}
+
+std::string certificate_note(const Certificate& certificate) {
+  const std::string tested = "relative certificate: " + std::to_string(certificate.triangles_tested) + " triangles with rounded vertices tested in " +
+                             std::to_string(certificate.pairs_tested) + " pairs";
+  const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement);
+  if (certificate.status == CertificateStatus::Certified) return tested + moved;
+  return tested + moved + "; " + std::to_string(certificate.failed_faces.size()) + " triangles are not proven free of new crossings";
+}
+
+/// Time and words of a call.
+struct Account {
+  std::vector<StageTime> times;
+  std::vector<std::string> notes;
+};
+
+/// inspect(), with its time and notes added to the account.
+MeshReport inspect_into(const SurfaceMesh& mesh, Account& account) {
+  const Stopwatch watch;
+  MeshReport report = inspect(mesh);
+  account.times.push_back({"inspect", watch.milliseconds()});
+  for (std::string& note : mesh_notes(report)) account.notes.push_back(std::move(note));
+  return report;
+}
+
+val report_out(const MeshReport& report, const Account& account) {
+  val object = mesh_report_out(report);
+  object.set("stages", list_out(account.times, stage_out));
+  object.set("milliseconds", 0);
+  object.set("notes", strings_out(account.notes));
+  return object;
+}
+
+}  // namespace
+
+val inspection_out(const SurfaceMesh& mesh) {
+  Account account;
+  const Stopwatch watch;
+  const SurfaceMesh welded = weld(mesh).mesh;
+  account.times.push_back({"weld", watch.milliseconds()});
+  note_if(account.notes, mesh.points.size() - welded.points.size(), "vertices were welded to another of equal position");
+  const MeshReport report = inspect_into(welded, account);
+  val object = report_out(report, account);
+  object.set("certified", report.self_intersections == 0 && report.degenerate_faces == 0);
+  object.set("operands", val::array());
+  object.set("graph", graph_counts_out({}));
+  object.set("contact", contact_out({}));
+  return object;
+}
+
+val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result) {
+  Account account{result.report.stages, result.report.notes};
+  account.notes.push_back(certificate_note(result.report.certificate));
+  val object = report_out(inspect_into(result.mesh, account), account);
+  object.set("certified", result.report.certificate.status == CertificateStatus::Certified);
+  object.set("operands", operands_out(operands, result.report.self_contacts));
+  object.set("graph", graph_counts_out(result.graph));
+  object.set("contact", contact_out(result.report.contact));
+  return object;
+}
+
+}  // namespace mortise::wasm

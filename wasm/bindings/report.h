@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Reports as JavaScript objects; the fields are those of the command's JSON.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <span>
+
+#include "mortise/boolean/result.h"
+#include "mortise/mesh/surface_mesh.h"
+
+namespace mortise::wasm {
+
+/// The report on one mesh, equal positions welded. `milliseconds` is left to the caller.
+[[nodiscard]] emscripten::val inspection_out(const SurfaceMesh& mesh);
+
+/// The report on a boolean. `milliseconds` is left to the caller.
+[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result);
+
+}  // namespace mortise::wasm

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The functions as most programs call them: the core is loaded by the first call.
+
+import { coreLoader } from './core.js';
+import { createSyncApi, isBlob } from './sync_api.js';
+
+/**
+ * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
+ * @param {import('./sync_api.js').Host} host
+ */
+export function createAsyncApi(compileFrom, host) {
+  const loadCore = coreLoader(compileFrom);
+  /** @type {WeakMap<object, import('./index.js').Mortise>} */
+  const apis = new WeakMap();
+
+  /** @type {typeof import('./index.js').load} */
+  async function load(options) {
+    const core = await loadCore(options);
+    const api = apis.get(core) ?? createSyncApi(core, host);
+    apis.set(core, api);
+    return api;
+  }
+
+  /**
+   * @template {keyof import('./index.js').Mortise} Name
+   * @param {Name} name
+   * @returns {any}
+   */
+  const later = (name) => async (/** @type {any[]} */ ...args) => /** @type {any} */ ((await load())[name])(...args);
+
+  /** @type {typeof import('./index.js').readMesh} */
+  async function readMesh(source, options) {
+    const api = await load();
+    if (!isBlob(source)) return api.readMesh(source, options);
+    const bytes = new Uint8Array(await source.arrayBuffer());
+    return api.readMesh(bytes, { ...('name' in source ? { name: source.name } : {}), ...options });
+  }
+
+  return {
+    /** @type {typeof import('./index.js').union} */
+    union: later('union'),
+    /** @type {typeof import('./index.js').intersect} */
+    intersect: later('intersect'),
+    /** @type {typeof import('./index.js').subtract} */
+    subtract: later('subtract'),
+    /** @type {typeof import('./index.js').inspect} */
+    inspect: later('inspect'),
+    /** @type {typeof import('./index.js').transform} */
+    transform: later('transform'),
+    /** @type {typeof import('./index.js').make} */
+    make: later('make'),
+    /** @type {typeof import('./index.js').writeMesh} */
+    writeMesh: later('writeMesh'),
+    readMesh,
+    load,
+  };
+}

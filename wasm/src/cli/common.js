@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What the verbs of the command share: options, files or pipes in and out, and printed reports.
+
+import { MeshError, invalidArgument } from '../errors.js';
+import { formats } from '../formats.js';
+import { reportText } from './report_text.js';
+
+/**
+ * @typedef {import('./arguments.js').Option} Option
+ * @typedef {import('./arguments.js').Arguments} Arguments
+ * @typedef {import('../index.js').Mortise} Mortise
+ * @typedef {import('../index.js').Format} Format
+ * @typedef {import('../index.js').Report} Report
+ */
+
+/**
+ * Where a verb reads and prints.
+ * @typedef {object} Streams
+ * @property {() => Uint8Array} stdin all of the standard input
+ * @property {(content: string | Uint8Array) => void} out
+ * @property {(text: string) => void} err
+ * @property {(path: string, bytes: Uint8Array) => void} writeFile
+ */
+
+/**
+ * `run` answers with the exit code.
+ * @typedef {object} Verb
+ * @property {string} help
+ * @property {Record<string, Option>} options
+ * @property {(mortise: Mortise, args: Arguments, streams: Streams) => number} run
+ */
+
+/** @type {Record<string, Option>} */
+export const readingOptions = {
+  help: { type: 'boolean', short: 'h' },
+  json: { type: 'boolean' },
+  format: { type: 'string' },
+};
+
+/** @type {Record<string, Option>} */
+export const writingOptions = { ...readingOptions, output: { type: 'string', short: 'o' }, quiet: { type: 'boolean', short: 'q' } };
+
+/** How a report names a file. @param {string} file */
+export function displayName(file) {
+  return file === '-' ? 'standard stream' : file;
+}
+
+/**
+ * Does some work on files; an error about one of them begins with its name.
+ * @template Result
+ * @param {string[]} files the operands in their order
+ * @param {() => Result} work
+ * @returns {Result}
+ */
+export function namingFiles(files, work) {
+  try {
+    return work();
+  } catch (error) {
+    const file = error instanceof MeshError && error.code !== 'FILE_FAILED' ? files[error.details.operand ?? (files.length === 1 ? 0 : -1)] : undefined;
+    if (file !== undefined) /** @type {Error} */ (error).message = `${displayName(file)}: ${/** @type {Error} */ (error).message}`;
+    throw error;
+  }
+}
+
+/**
+ * The mesh in a file, or in the standard input for `-`. The format of a pipe is told by its content, or else by --format.
+ * @param {Mortise} mortise
+ * @param {string} file
+ * @param {Arguments} args
+ * @param {Streams} streams
+ */
+export function readOperand(mortise, file, { values }, { stdin }) {
+  const options = values.format === undefined ? {} : { format: values.format };
+  return namingFiles([file], () => (file === '-' ? mortise.readMesh(stdin(), options) : mortise.readMesh(file)));
+}
+
+/**
+ * @typedef {object} Target
+ * @property {string} file
+ * @property {Format} format
+ */
+
+/**
+ * Where the mesh goes, and in which format: --format, or what the name ends in.
+ * @param {Arguments} args
+ * @returns {Target}
+ */
+export function targetOf({ values }) {
+  const file = values.output;
+  if (file === undefined) throw invalidArgument('-o FILE is missing (-o - writes to the standard output)');
+  if (values.format === undefined && file === '-') throw invalidArgument('-o - needs --format');
+  if (values.format !== undefined && !formats.includes(values.format)) throw invalidArgument(`--format is one of ${formats.join(', ')}, not '${values.format}'`);
+  return { file, format: values.format ?? formatOfName(file) };
+}
+
+/** @param {string} file @returns {Format} */
+function formatOfName(file) {
+  const extension = /\.(stl|obj|ply|off)$/i.exec(file)?.[1].toLowerCase();
+  if (extension === undefined) throw invalidArgument(`'${file}' does not end in .stl, .obj, .ply or .off: name the format with --format`);
+  return /** @type {Format} */ (extension);
+}
+
+/**
+ * @param {Target} target
+ * @param {Uint8Array} bytes
+ * @param {Streams} streams
+ */
+export function send({ file }, bytes, streams) {
+  if (file === '-') streams.out(bytes);
+  else streams.writeFile(file, bytes);
+}
+
+/**
+ * Prints a report: on the standard output, or on the standard error when the mesh goes to the standard output.
+ * @param {Report} report
+ * @param {[string, string]} title
+ * @param {Arguments} args
+ * @param {Streams} streams
+ */
+export function printReport(report, title, { values }, streams) {
+  if (values.quiet) return;
+  const text = values.json ? `${JSON.stringify(report, null, 2)}\n` : reportText(report, title);
+  if (values.output === '-') streams.err(text);
+  else streams.out(text);
+}
+
+/**
+ * Writes a mesh that no boolean made, and reports what the file then holds.
+ * @param {Mortise} mortise
+ * @param {import('../index.js').Mesh} mesh
+ * @param {{ verb: string, args: Arguments, streams: Streams }} call
+ */
+export function writePlain(mortise, mesh, { verb, args, streams }) {
+  const target = targetOf(args);
+  const bytes = mortise.writeMesh(mesh, { format: target.format });
+  const report = mortise.inspect(mortise.readMesh(bytes, { format: target.format }));
+  send(target, bytes, streams);
+  printReport(report, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
+}
+
+/** `segmentCount` as an option: `segment-count`. @param {string} name */
+export function kebab(name) {
+  return name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}

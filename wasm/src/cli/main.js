@@ -1,0 +1,111 @@
+#!/usr/bin/env node
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The command `mortise`: finds the verb, runs it, turns errors into one line and an exit code.
+
+import { readFileSync } from 'node:fs';
+import process from 'node:process';
+
+import { MeshError, invalidArgument } from '../errors.js';
+import { load } from '../node.js';
+import { writeBytes } from '../node_files.js';
+import { parseArguments } from './arguments.js';
+import { errorText } from './error_text.js';
+import { exitCode, exitCodeOf } from './exit_codes.js';
+import { booleanVerb } from './verbs/boolean.js';
+import { inspectVerb } from './verbs/inspect.js';
+import { makeVerb } from './verbs/make.js';
+import { transformVerb } from './verbs/transform.js';
+
+/** @type {Record<string, import('./common.js').Verb>} */
+const verbs = {
+  union: booleanVerb('union'),
+  intersect: booleanVerb('intersect'),
+  subtract: booleanVerb('subtract'),
+  transform: transformVerb,
+  make: makeVerb,
+  inspect: inspectVerb,
+};
+
+const help = `mortise VERB ...
+
+Exact booleans of triangle meshes.
+
+  mortise union A B [C...] -o OUT         all that is inside any
+  mortise intersect A B [C...] -o OUT     all that is inside every one
+  mortise subtract A B [C...] -o OUT      the first without the others
+  mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror
+  mortise make SHAPE -o OUT [sizes]       box, sphere, cylinder, ...
+  mortise inspect FILE                    counts, measures, self-intersections
+
+  mortise VERB --help, mortise --version
+
+Files: .stl .obj .ply .off; - is the standard input or output.
+Exit codes: 0 ok, 1 check failed, 2 usage, 3 bad input, 4 refused, 130 cancelled.
+`;
+
+function version() {
+  return JSON.parse(readFileSync(new URL('../../package.json', import.meta.url), 'utf8')).version;
+}
+
+/** @returns {Promise<Uint8Array>} */
+async function readStandardInput() {
+  /** @type {Buffer[]} */
+  const chunks = [];
+  for await (const chunk of process.stdin) chunks.push(chunk);
+  return Buffer.concat(chunks);
+}
+
+/** @param {string[]} positionals @returns {Promise<Uint8Array>} */
+async function inputOf(positionals) {
+  const count = positionals.filter((file) => file === '-').length;
+  if (count > 1) throw invalidArgument('the standard input can be one mesh only');
+  return count === 0 ? new Uint8Array() : readStandardInput();
+}
+
+/** @param {string} text */
+function say(text) {
+  process.stdout.write(text);
+  return exitCode.ok;
+}
+
+/**
+ * @param {string | undefined} name
+ * @param {string[]} words after the verb
+ * @returns {Promise<number>}
+ */
+async function runVerb(name, words) {
+  if (name === '--version') return say(`${version()}\n`);
+  if (name === '--help' || name === '-h' || name === 'help') return say(help);
+  if (name === undefined || !Object.hasOwn(verbs, name)) {
+    throw invalidArgument(`${name === undefined ? 'no verb' : `no verb '${name}'`}; the verbs are ${Object.keys(verbs).join(', ')}`);
+  }
+  const verb = verbs[name];
+  if (words.includes('--help') || words.includes('-h')) return say(verb.help);
+  const args = parseArguments(words, verb.options);
+  const input = await inputOf(args.positionals);
+  return verb.run(await load(), args, {
+    stdin: () => input,
+    out: (content) => process.stdout.write(content),
+    err: (text) => process.stderr.write(text),
+    writeFile: writeBytes,
+  });
+}
+
+/** @param {string[]} argv @returns {Promise<number>} */
+async function main(argv) {
+  const [name, ...words] = argv;
+  try {
+    return await runVerb(name, words);
+  } catch (error) {
+    if (!(error instanceof MeshError)) throw error;
+    process.stderr.write(errorText(error, name));
+    return exitCodeOf(error.code);
+  }
+}
+
+process.stdout.on('error', (error) => {
+  // The reader of a pipe may have heard enough.
+  if (/** @type {any} */ (error).code !== 'EPIPE') throw error;
+});
+process.exitCode = await main(process.argv.slice(2));

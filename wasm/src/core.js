@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Starts the WebAssembly core from compiled code. The glue is the same in Node, browsers and workers.
+
+import createGlue from '../dist/glue.mjs';
+import { MeshError, invalidArgument } from './errors.js';
+
+/**
+ * A running core.
+ * @param {WebAssembly.Module} module
+ * @returns {Promise<any>}
+ */
+async function startCore(module) {
+  /** @type {(reason: unknown) => void} */
+  let fail = () => {};
+  const failed = new Promise((_, reject) => {
+    fail = reject;
+  });
+  const started = createGlue({
+    instantiateWasm(/** @type {WebAssembly.Imports} */ imports, /** @type {Function} */ receive) {
+      WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), fail);
+      return {};
+    },
+  });
+  // A rejection inside the hook never reaches the factory's promise, hence the race.
+  return Promise.race([started, failed]);
+}
+
+/**
+ * Compiled code from what the caller hands in, or from where the package keeps its own.
+ * @param {import('./index.js').LoadOptions} options
+ * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
+ */
+async function compiledModule({ wasmModule, wasmBinary, wasmUrl }, compileFrom) {
+  if (wasmModule !== undefined) {
+    if (!(wasmModule instanceof WebAssembly.Module)) throw invalidArgument('wasmModule must be a WebAssembly.Module');
+    return wasmModule;
+  }
+  if (wasmBinary !== undefined) return WebAssembly.compile(wasmBinary);
+  return compileFrom(wasmUrl);
+}
+
+/**
+ * The function that gives the one core of this program, started at the first call. A failed start is tried again at the
+ * next call.
+ * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
+ * @returns {(options?: import('./index.js').LoadOptions) => Promise<any>}
+ */
+export function coreLoader(compileFrom) {
+  /** @type {Promise<any> | undefined} */
+  let core;
+  return (options = {}) => {
+    core ??= compiledModule(options, compileFrom)
+      .then(startCore)
+      .catch((cause) => {
+        core = undefined;
+        throw cause instanceof MeshError ? cause : new MeshError('FILE_FAILED', `the WebAssembly core does not start: ${cause?.message ?? cause}`, {}, { cause });
+      });
+    return core;
+  };
+}

@@ -1,0 +1,270 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The declarations of the package: exact booleans of triangle meshes.
+
+/** A mesh as plain arrays. Three coordinates per vertex, three vertex indices per triangle, counterclockwise from outside. */
+export interface Mesh {
+  positions: Float64Array;
+  triangles: Uint32Array;
+  /** One per triangle: index into `labelNames`. */
+  faceLabels?: Uint32Array;
+  /** Names of groups, solids or materials. */
+  labelNames?: string[];
+}
+
+/** What every function takes for a mesh. Without `triangles`, every three vertices are a triangle. Never changed. */
+export interface MeshInput {
+  positions: Float64Array | Float32Array | ArrayLike<number>;
+  triangles?: Uint32Array | ArrayLike<number> | null;
+  faceLabels?: Uint32Array | ArrayLike<number>;
+  labelNames?: readonly string[];
+}
+
+export interface Box {
+  min: [number, number, number];
+  max: [number, number, number];
+}
+
+/** What is known about one operand of a call. */
+export interface OperandReport {
+  /** Set by the command: the file's name. */
+  name?: string;
+  vertices: number;
+  triangles: number;
+  /** True when it crosses itself where that mattered, and the crossings were resolved. */
+  selfContacts: boolean;
+}
+
+export interface StageReport {
+  stage: string;
+  milliseconds: number;
+}
+
+/** Numbers about a mesh and the call that made it; the JSON report of the command has the same fields. */
+export interface Report {
+  vertices: number;
+  triangles: number;
+  /** Every edge is balanced: as many triangles run along it one way as the other. */
+  closed: boolean;
+  /** No two triangles run the same way along an edge they alone share. */
+  oriented: boolean;
+  /** Every edge has at most two triangles and every vertex one fan of them. */
+  manifold: boolean;
+  boundaryEdges: number;
+  nonManifoldEdges: number;
+  components: number;
+  /** Handles, summed over shells; null when the mesh is not closed. */
+  genus: number | null;
+  /** Signed: negative when inside out; null when the mesh is not closed. */
+  volume: number | null;
+  area: number;
+  /** Null when the mesh has no triangles. */
+  bbox: Box | null;
+  /** In degrees; null when the mesh has no triangles. */
+  minAngleDeg: number | null;
+  maxAngleDeg: number | null;
+  /** Pairs of triangles that meet elsewhere than in what they share, found exactly. */
+  selfIntersections: number;
+  /**
+   * Of a boolean: the doubles of the result are proven to add no crossing to what the operands had.
+   * Of `inspect`: there is no crossing and no triangle without area.
+   */
+  certified: boolean;
+  operands: OperandReport[];
+  stages: StageReport[];
+  milliseconds: number;
+  /** Where boundaries of different operands meet. */
+  graph: { vertices: number; edges: number; closedLoops: number; openChains: number };
+  /** What operands share without sharing volume. */
+  contact: { points: number; length: number; area: number };
+  notes: string[];
+}
+
+/** Where boundaries of different operands meet. */
+export interface IntersectionGraph {
+  /** Three coordinates per graph vertex. */
+  points: Float64Array;
+  /** Two indices of graph vertices per edge. */
+  edges: Uint32Array;
+  /** Polylines of graph vertices, closed loops first; a closed loop repeats its first vertex. */
+  chains: Uint32Array[];
+  closedLoops: number;
+  openChains: number;
+}
+
+/** Where every triangle and vertex of a result comes from. */
+export interface Provenance {
+  /** Per triangle: which operand; the first where several coincide. */
+  sourceOperand: Uint32Array;
+  /** Per triangle: which triangle of that operand. */
+  sourceFace: Uint32Array;
+  /** Per triangle: 1 when it runs against its source. */
+  flipped: Uint8Array;
+  /** Triangle i coincides also with the sources from otherSourceBegin[i] up to otherSourceBegin[i + 1] of the next two arrays. */
+  otherSourceBegin: Uint32Array;
+  otherSourceOperand: Uint32Array;
+  otherSourceFace: Uint32Array;
+  /** Per vertex: operand of the vertex it is, or 0xffffffff for a vertex the cut made. */
+  vertexOperand: Uint32Array;
+  /** Per vertex: vertex of that operand, or 0xffffffff for a vertex the cut made. */
+  vertexSource: Uint32Array;
+}
+
+export interface BooleanResult {
+  mesh: Mesh;
+  report: Report;
+  graph: IntersectionGraph;
+  provenance: Provenance;
+}
+
+export interface BooleanOptions {
+  /** Called now and then with the fraction of the whole call done. Return false to cancel. */
+  onProgress?: (progress: { stage: string; fraction: number }) => boolean | void;
+  /** Looked at before the call and whenever progress is reported. */
+  signal?: AbortSignal;
+}
+
+/** One step of `transform`. Angles are degrees, rotations are about the origin. */
+export type TransformStep =
+  | { scale: number | readonly [number, number, number] }
+  | { rotateX: number }
+  | { rotateY: number }
+  | { rotateZ: number }
+  | { translate: readonly [number, number, number] }
+  | { mirror: 'x' | 'y' | 'z' };
+
+/** The shapes of `make` and their parameters. Lengths are in the unit of the coordinates; outlines may be concave. */
+export interface Shapes {
+  /** Between two corners; default from (0, 0, 0) to (1, 1, 1). */
+  box: { lo?: readonly [number, number, number]; hi?: readonly [number, number, number] };
+  /** About the origin, with poles; default 1, 64, 32. */
+  sphere: { radius?: number; around?: number; rings?: number };
+  /** About the origin, an icosahedron cut in four `levels` times; default 1, 4. */
+  icosphere: { radius?: number; levels?: number };
+  /** Standing on z = 0; default 1, 1, 64. */
+  cylinder: { radius?: number; height?: number; around?: number };
+  /** Standing on z = 0; default 1, 1, 64. */
+  cone: { radius?: number; height?: number; around?: number };
+  /** About the z axis; default 1, 0.25, 64, 32. */
+  torus: { majorRadius?: number; minorRadius?: number; around?: number; across?: number };
+  /** An open rectangle in z = 0; default 1, 1, 8, 8. */
+  gridSheet: { width?: number; depth?: number; cellsX?: number; cellsY?: number };
+  /** The prism over a polygon in z = 0; default height 1. */
+  extrude: { outline: readonly (readonly [number, number])[]; height?: number };
+  /** What a polygon of (radius, z) sweeps about the z axis; default around 64. */
+  revolve: { profile: readonly (readonly [number, number])[]; around?: number };
+}
+
+export type Format = 'stl' | 'stl-ascii' | 'obj' | 'ply' | 'ply-ascii' | 'off';
+
+export interface ReadOptions {
+  /** Default: by the name, then by the content. */
+  format?: Format;
+  /** Name of the file the bytes come from. */
+  name?: string;
+}
+
+export interface WriteOptions {
+  /** Default: by the name. */
+  format?: Format;
+}
+
+export type MeshErrorCode =
+  | 'INVALID_ARGUMENT'
+  | 'NOT_FINITE'
+  | 'BAD_INDEX'
+  | 'NOT_CLOSED'
+  | 'NOT_ORIENTED'
+  | 'INSIDE_OUT'
+  | 'OUT_OF_RANGE'
+  | 'RESULT_TOO_LARGE'
+  | 'PARSE_FAILED'
+  | 'UNKNOWN_FORMAT'
+  | 'FILE_FAILED'
+  | 'CANCELLED'
+  | 'OUT_OF_MEMORY'
+  | 'INTERNAL_ERROR';
+
+export interface MeshErrorDetails {
+  /** Stage of the pipeline. */
+  stage?: string;
+  /** Position of the operand in the call. */
+  operand?: number;
+  /** What `ids` are. */
+  kind?: 'vertices' | 'faces' | 'vertexPairs' | 'line' | 'byte';
+  /** At most 1,000 indices of the operand as it was given; of vertex pairs, two numbers each. */
+  ids?: number[];
+  /** Where that is: the vertex, the middle of the face or of the pair, one for each. */
+  places?: [number, number, number][];
+}
+
+/** Thrown by every function of the package. `code` is for programs, `message` for people, `details` says where. */
+export class MeshError extends Error {
+  constructor(code: MeshErrorCode, message: string, details?: MeshErrorDetails, options?: { cause?: unknown });
+  code: MeshErrorCode;
+  details: MeshErrorDetails;
+}
+
+/** Overrides for where the core comes from; only the call that starts it looks at them. */
+export interface LoadOptions {
+  /** Compiled code, for example from another worker. */
+  wasmModule?: WebAssembly.Module;
+  /** The bytes of core.wasm. */
+  wasmBinary?: ArrayBuffer | Uint8Array;
+  /** Where core.wasm is served, or its file in Node. */
+  wasmUrl?: string | URL;
+}
+
+/** The functions without promises, once the core is loaded. */
+export interface Mortise {
+  union(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  union(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  union(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  intersect(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  intersect(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  intersect(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  subtract(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  subtract(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  inspect(mesh: MeshInput): Report;
+  transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
+  make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Mesh;
+  readMesh(source: string | URL | Uint8Array | ArrayBuffer, options?: ReadOptions): Mesh;
+  writeMesh(path: string | URL, mesh: MeshInput, options?: WriteOptions): void;
+  writeMesh(mesh: MeshInput, options: { format: Format }): Uint8Array;
+}
+
+/** All that is inside any operand. Closed operands, any number, one resolves itself. */
+export function union(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function union(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function union(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/** All that is inside every operand. */
+export function intersect(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function intersect(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function intersect(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/** The first operand without all others. */
+export function subtract(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function subtract(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/** Numbers about one mesh. */
+export function inspect(mesh: MeshInput): Promise<Report>;
+
+/** The mesh moved by all steps in order, as one map. A mirrored mesh keeps its outside outside. */
+export function transform(mesh: MeshInput, steps: readonly TransformStep[]): Promise<Mesh>;
+
+/** A generated shape; all but gridSheet are closed. */
+export function make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Promise<Mesh>;
+
+/** The mesh in a file (Node) or in bytes: equal positions welded, polygons triangulated, names as labels. */
+export function readMesh(source: string | URL | Uint8Array | ArrayBuffer | Blob, options?: ReadOptions): Promise<Mesh>;
+
+/** Writes a file (Node). */
+export function writeMesh(path: string | URL, mesh: MeshInput, options?: WriteOptions): Promise<void>;
+/** The bytes of a file. */
+export function writeMesh(mesh: MeshInput, options: { format: Format }): Promise<Uint8Array>;
+
+/** The same functions, synchronous. The core is started once per program. */
+export function load(options?: LoadOptions): Promise<Mortise>;

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The package for require(): the same functions; the module is imported at the first call.
+'use strict';
+
+/** @param {string} name */
+function forward(name) {
+  return async (/** @type {any[]} */ ...args) => /** @type {any} */ (await import('./node.js'))[name](...args);
+}
+
+const brand = Symbol.for('mortise.MeshError');
+
+/** Recognises every error of the package: `error instanceof MeshError`. */
+class MeshError extends Error {
+  /**
+   * @param {string} code
+   * @param {string} message
+   * @param {object} [details]
+   * @param {{ cause?: unknown }} [options]
+   */
+  constructor(code, message, details = {}, options = undefined) {
+    super(message, options);
+    this.name = 'MeshError';
+    this.code = code;
+    this.details = details;
+    Object.defineProperty(this, brand, { value: true });
+  }
+
+  /** @param {unknown} value */
+  static [Symbol.hasInstance](value) {
+    return typeof value === 'object' && value !== null && brand in value;
+  }
+}
+
+exports.union = forward('union');
+exports.intersect = forward('intersect');
+exports.subtract = forward('subtract');
+exports.inspect = forward('inspect');
+exports.transform = forward('transform');
+exports.make = forward('make');
+exports.readMesh = forward('readMesh');
+exports.writeMesh = forward('writeMesh');
+exports.load = forward('load');
+exports.MeshError = MeshError;

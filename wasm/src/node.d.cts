@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The declarations for require(): the same as index.d.ts.
+
+import type * as mortise from './index.js' with { 'resolution-mode': 'import' };
+
+export type * from './index.js' with { 'resolution-mode': 'import' };
+
+export declare const union: typeof mortise.union;
+export declare const intersect: typeof mortise.intersect;
+export declare const subtract: typeof mortise.subtract;
+export declare const inspect: typeof mortise.inspect;
+export declare const transform: typeof mortise.transform;
+export declare const make: typeof mortise.make;
+export declare const readMesh: typeof mortise.readMesh;
+export declare const writeMesh: typeof mortise.writeMesh;
+export declare const load: typeof mortise.load;
+export declare const MeshError: typeof mortise.MeshError;
+export type MeshError = mortise.MeshError;

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The package in Node: core.wasm and mesh files are read from disk.
+
+import { readFile } from 'node:fs/promises';
+
+import { createAsyncApi } from './async_api.js';
+import { readBytes, writeBytes } from './node_files.js';
+
+/** @param {string | URL | undefined} wasmUrl */
+async function compileFrom(wasmUrl) {
+  return WebAssembly.compile(await readFile(wasmUrl ?? new URL('../dist/core.wasm', import.meta.url)));
+}
+
+/** @type {import('./sync_api.js').Host} */
+const host = { readFile: readBytes, writeFile: writeBytes };
+
+export const { union, intersect, subtract, inspect, transform, make, readMesh, writeMesh, load } = createAsyncApi(compileFrom, host);
+export { MeshError } from './errors.js';

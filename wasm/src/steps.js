@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The steps of transform(): which exist, what they take.
+
+import { describe } from './arguments.js';
+import { invalidArgument } from './errors.js';
+
+const axes = { x: [1, 0, 0], y: [0, 1, 0], z: [0, 0, 1] };
+
+/** @param {unknown} value */
+function isVector(value) {
+  return Array.isArray(value) && value.length === 3 && value.every((x) => typeof x === 'number');
+}
+
+/** @param {unknown} value */
+const angle = (value) => (typeof value === 'number' ? [value, 0, 0] : undefined);
+
+/** Three numbers per step, or undefined when the value makes no sense. @type {Record<string, (value: any) => number[] | undefined>} */
+const numbersOf = {
+  scale: (value) => (isVector(value) ? value : typeof value === 'number' ? [value, value, value] : undefined),
+  rotateX: angle,
+  rotateY: angle,
+  rotateZ: angle,
+  translate: (value) => (isVector(value) ? value : undefined),
+  mirror: (value) => (typeof value === 'string' ? axes[/** @type {'x'} */ (value)] : undefined),
+};
+
+const wanted = '{scale: s}, {scale: [x, y, z]}, {rotateX|rotateY|rotateZ: degrees}, {translate: [x, y, z]} or {mirror: "x"|"y"|"z"}';
+
+/**
+ * Each step as [name, x, y, z].
+ * @param {any} steps
+ * @returns {[string, number, number, number][]}
+ */
+export function checkSteps(steps) {
+  if (!Array.isArray(steps)) throw invalidArgument(`transform takes an array of steps, not ${describe(steps)}`);
+  return steps.map((step, i) => {
+    const names = typeof step === 'object' && step !== null ? Object.keys(step) : [];
+    const numbers = names.length === 1 && Object.hasOwn(numbersOf, names[0]) ? numbersOf[names[0]](step[names[0]]) : undefined;
+    if (numbers === undefined) throw invalidArgument(`steps[${i}] must be ${wanted}`);
+    return /** @type {[string, number, number, number]} */ ([names[0], ...numbers]);
+  });
+}

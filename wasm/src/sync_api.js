@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
+
+import { checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import { MeshError, invalidArgument } from './errors.js';
+import { formats } from './formats.js';
+import { placesOf } from './places.js';
+import { checkShape } from './shapes.js';
+import { checkSteps } from './steps.js';
+
+/**
+ * What differs between Node and browsers.
+ * @typedef {object} Host
+ * @property {(path: string | URL) => Uint8Array} readFile
+ * @property {(path: string | URL, bytes: Uint8Array) => void} writeFile
+ */
+
+/**
+ * The value of a core's answer, or its error with the places it names.
+ * @param {{ value?: any, error?: any }} answer
+ * @param {any[]} meshes the operands its ids are about
+ */
+function valueOf({ value, error }, meshes) {
+  if (error === undefined) return value;
+  const { code, message, details } = error;
+  const places = placesOf(meshes[details.operand ?? 0], details);
+  throw new MeshError(code, message, places === undefined ? details : { ...details, places });
+}
+
+/**
+ * Calls the core. What is no answer is a failure of the machine: memory of JavaScript, or a trap.
+ * @param {() => { value?: any, error?: any }} call
+ * @param {any[]} [meshes]
+ */
+function ask(call, meshes = []) {
+  let answer;
+  try {
+    answer = call();
+  } catch (cause) {
+    const short = cause instanceof RangeError && /alloc|length|size/i.test(cause.message);
+    const text = /** @type {Error} */ (cause)?.message ?? String(cause);
+    throw new MeshError(short ? 'OUT_OF_MEMORY' : 'INTERNAL_ERROR', `the core stopped: ${text}`, {}, { cause });
+  }
+  return valueOf(answer, meshes);
+}
+
+/** Is this a Blob or a File? @param {unknown} source @returns {source is Blob} */
+export function isBlob(source) {
+  return typeof Blob !== 'undefined' && source instanceof Blob;
+}
+
+/** @param {unknown} value @returns {value is string | URL} */
+function isPath(value) {
+  return typeof value === 'string' || value instanceof URL;
+}
+
+/** @param {string | URL} path */
+function nameOf(path) {
+  return path instanceof URL ? decodeURIComponent(path.pathname) : path;
+}
+
+/** @param {any} format */
+function checkFormat(format) {
+  if (format !== undefined && !formats.includes(format)) throw new MeshError('UNKNOWN_FORMAT', `the formats are ${formats.join(', ')}, not ${describe(format)}`);
+  return format;
+}
+
+/** @param {unknown} source */
+function checkBytes(source) {
+  if (source instanceof Uint8Array) return source;
+  if (source instanceof ArrayBuffer) return new Uint8Array(source);
+  if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
+  if (isBlob(source)) throw invalidArgument('a Blob is read by the asynchronous readMesh only');
+  throw invalidArgument(`readMesh takes a file name, a Uint8Array, an ArrayBuffer or a Blob, not ${describe(source)}`);
+}
+
+/**
+ * Keeps an exception of the caller's callback out of the core: it cancels the call and is thrown again outside.
+ * @param {((stage: string, fraction: number) => boolean) | undefined} progress
+ */
+function guardProgress(progress) {
+  /** @type {{ thrown?: { cause: unknown } }} */
+  const state = {};
+  const report = progress && ((/** @type {string} */ stage, /** @type {number} */ fraction) => {
+    try {
+      return progress(stage, fraction);
+    } catch (cause) {
+      state.thrown = { cause };
+      return false;
+    }
+  });
+  return { report, state };
+}
+
+/**
+ * @param {any} core
+ * @param {string} operation
+ * @param {any[]} args
+ * @returns {import('./index.js').BooleanResult}
+ */
+function evaluate(core, operation, args) {
+  const { operands, options } = splitOperands(args, operation);
+  const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
+  const checked = checkOptions(options, ['onProgress', 'signal']);
+  const { report, state } = guardProgress(checkProgress(checked));
+  const begin = performance.now();
+  try {
+    const result = ask(() => core.evaluateBoolean(operation, meshes, report), meshes);
+    result.report.milliseconds = performance.now() - begin;
+    return result;
+  } catch (error) {
+    if (state.thrown !== undefined) throw state.thrown.cause;
+    if (error instanceof MeshError && error.code === 'CANCELLED') error.cause = checked.signal?.reason;
+    throw error;
+  }
+}
+
+/**
+ * @param {any} core
+ * @param {import('./index.js').MeshInput} mesh
+ * @returns {import('./index.js').Report}
+ */
+function inspectMesh(core, mesh) {
+  const checked = checkMesh(mesh, 'mesh');
+  const begin = performance.now();
+  const report = ask(() => core.inspectMesh(checked), [checked]);
+  report.milliseconds = performance.now() - begin;
+  return report;
+}
+
+/**
+ * @param {any} core
+ * @param {Host} host
+ * @param {string | URL | Uint8Array | ArrayBuffer | Blob} source
+ * @param {import('./index.js').ReadOptions} [options]
+ * @returns {import('./index.js').Mesh}
+ */
+function readMesh(core, host, source, options) {
+  const { format, name } = checkOptions(options, ['format', 'name']);
+  checkFormat(format);
+  const bytes = isPath(source) ? host.readFile(source) : checkBytes(source);
+  const known = format === undefined ? (name ?? (isPath(source) ? nameOf(source) : '')) : `mesh.${format}`;
+  return ask(() => core.readMesh(bytes, String(known)));
+}
+
+/**
+ * writeMesh(path, mesh, options?) or writeMesh(mesh, options).
+ * @param {any} core
+ * @param {Host} host
+ * @param {any[]} args
+ * @returns {any}
+ */
+function writeMesh(core, host, args) {
+  const toFile = isPath(args[0]);
+  const [mesh, options] = toFile ? args.slice(1) : args;
+  const checked = checkMesh(mesh, 'mesh');
+  const { format } = checkOptions(options, ['format']);
+  if (checkFormat(format) === undefined && !toFile) throw invalidArgument('writeMesh(mesh, {format}) needs the format');
+  const written = format ?? ask(() => core.formatOfPath(nameOf(args[0])));
+  const bytes = ask(() => core.writeMesh(checked, written), [checked]);
+  return toFile ? host.writeFile(args[0], bytes) : bytes;
+}
+
+/**
+ * @param {any} core
+ * @param {Host} host
+ * @returns {import('./index.js').Mortise}
+ */
+export function createSyncApi(core, host) {
+  return {
+    union: (/** @type {any[]} */ ...args) => evaluate(core, 'union', args),
+    intersect: (/** @type {any[]} */ ...args) => evaluate(core, 'intersect', args),
+    subtract: (/** @type {any[]} */ ...args) => evaluate(core, 'subtract', args),
+    inspect: (mesh) => inspectMesh(core, mesh),
+    transform: (mesh, steps) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const flat = checkSteps(steps);
+      return ask(() => core.transformMesh(checked, flat), [checked]);
+    },
+    make: (shape, parameters) => {
+      const [name, numbers] = checkShape(shape, parameters);
+      return ask(() => core.makeShape(name, numbers));
+    },
+    readMesh: (source, options) => readMesh(core, host, source, options),
+    writeMesh: (/** @type {any[]} */ ...args) => writeMesh(core, host, args),
+  };
+}

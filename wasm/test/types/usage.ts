@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
+
+import { inspect, intersect, load, make, MeshError, readMesh, subtract, transform, union, writeMesh } from 'mortise';
+import type { BooleanResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
+
+const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
+const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
+const soup: MeshInput = { positions: new Float32Array(9) };
+const steps: TransformStep[] = [{ scale: 2 }, { rotateX: 90 }, { translate: [1, 2, 3] }, { mirror: 'x' }];
+const moved: Mesh = await transform(box, steps);
+
+const pair: BooleanResult = await union(box, moved);
+await union(box, moved, prism);
+await union([box, soup], { signal: new AbortController().signal });
+await intersect(box, moved, { onProgress: ({ stage, fraction }) => stage.length > 0 && fraction < 1 });
+await subtract({ positions: [0, 0, 0], triangles: [] }, box, { onProgress: () => {} });
+
+const operands: Uint32Array = pair.provenance.sourceOperand;
+const chains: Uint32Array[] = pair.graph.chains;
+const genus: number | null = pair.report.genus;
+const report: Report = await inspect(pair.mesh);
+const bytes: Uint8Array = await writeMesh(pair.mesh, { format: 'stl' });
+await writeMesh('out.ply', pair.mesh);
+const back: Mesh = await readMesh(bytes, { format: 'stl' });
+const fromFile: Mesh = await readMesh('in.obj');
+
+const mortise: Mortise = await load({ wasmUrl: '/core.wasm' });
+const now: BooleanResult = mortise.union(box, back, { onProgress: () => false });
+const nowBytes: Uint8Array = mortise.writeMesh(now.mesh, { format: 'obj' });
+
+try {
+  mortise.subtract([fromFile, box]);
+} catch (error) {
+  if (!(error instanceof MeshError)) throw error;
+  const code: MeshErrorCode = error.code;
+  const places: [number, number, number][] | undefined = error.details.places;
+  console.log(code, error.details.operand, error.details.ids, places);
+}
+
+// @ts-expect-error no such shape
+await make('teapot');
+// @ts-expect-error no such parameter
+await make('box', { radius: 1 });
+// @ts-expect-error no such option
+await union(box, moved, { onprogress: () => true });
+// @ts-expect-error no such format
+await writeMesh(box, { format: 'step' });
+// @ts-expect-error bytes need a format
+await writeMesh(box);
+// @ts-expect-error two steps in one have no order
+await transform(box, [{ scale: 2, rotateX: 90 }]);
+// @ts-expect-error a promise is not a mesh
+await union(make('box'), box);
+
+console.log(operands, chains, genus, report.certified, nowBytes);
