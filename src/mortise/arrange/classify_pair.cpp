@@ -123,9 +123,8 @@ void add_edge_crossings(const std::array<Signs, 3>& b_in_a, const std::array<Sig
 }
 
 bool separates(const std::array<Signs, 3>& inner) {
-  return std::any_of(inner.begin(), inner.end(), [](const Signs& s) {
-    return s[0] != Sign::Positive && s[1] != Sign::Positive && s[2] != Sign::Positive;
-  });
+  return std::any_of(inner.begin(), inner.end(),
+                     [](const Signs& s) { return s[0] != Sign::Positive && s[1] != Sign::Positive && s[2] != Sign::Positive; });
 }
 
 void classify_coplanar(const TriangleCorners& a, const TriangleCorners& b, PairClassification& result) {

@@ -16,7 +16,7 @@ using LineId = Id<struct LineTag>;
 
 /// An edge of operands (two input points) or the trace of two overlays in each other (their planes).
 struct Line {
-  LinePoints edge;                ///< valid for an edge
+  LinePoints edge;                 ///< valid for an edge
   OverlayId overlay_a, overlay_b;  ///< valid for a trace, overlay_a < overlay_b
 
   [[nodiscard]] bool is_edge() const { return edge[0].is_valid(); }

@@ -22,9 +22,9 @@ struct FacetSource {
 
 /// Facets meet in shared points and whole shared edges only. A face without contact is one facet.
 struct Facets {
-  IdVector<FacetId, PlanePoints> corners;      ///< run as in the first source
+  IdVector<FacetId, PlanePoints> corners;         ///< run as in the first source
   IdVector<FacetId, std::uint32_t> first_source;  ///< facet count + 1 entries
-  std::vector<FacetSource> sources;            ///< per facet ascending by face; several where faces coincide
+  std::vector<FacetSource> sources;               ///< per facet ascending by face; several where faces coincide
 
   [[nodiscard]] std::size_t size() const { return corners.size(); }
   [[nodiscard]] std::span<const FacetSource> sources_of(FacetId f) const {

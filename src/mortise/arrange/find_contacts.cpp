@@ -107,8 +107,10 @@ void classify_candidate(const OperandFaces& faces, const Pair& pair, PairClassif
   const FaceShape shape_b = faces.shape[b];
   const bool same_operand = faces.operand[a] == faces.operand[b];
   if (shape_a != FaceShape::Proper || shape_b != FaceShape::Proper) {
-    if (same_operand && shape_a == FaceShape::Collinear && shape_b == FaceShape::Proper) add_stray_points(faces, a, b, contacts.stray_points);
-    if (same_operand && shape_b == FaceShape::Collinear && shape_a == FaceShape::Proper) add_stray_points(faces, b, a, contacts.stray_points);
+    if (same_operand && shape_a == FaceShape::Collinear && shape_b == FaceShape::Proper)
+      add_stray_points(faces, a, b, contacts.stray_points);
+    if (same_operand && shape_b == FaceShape::Collinear && shape_a == FaceShape::Proper)
+      add_stray_points(faces, b, a, contacts.stray_points);
     return;
   }
   classify_pair(corners_of(faces, a), corners_of(faces, b), scratch);

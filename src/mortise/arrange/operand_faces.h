@@ -18,9 +18,9 @@ namespace mortise {
 using SourceId = Id<struct SourceTag>;
 
 enum class FaceShape : std::uint8_t {
-  Proper,      ///< has area
-  Collinear,   ///< three different points on one line: gives its points to the edges it touches, and is dropped
-  Repeated,    ///< names one point twice: dropped
+  Proper,     ///< has area
+  Collinear,  ///< three different points on one line: gives its points to the edges it touches, and is dropped
+  Repeated,   ///< names one point twice: dropped
 };
 
 /// Which contacts of an operand with itself are searched (exact-core: self pairs).

@@ -71,9 +71,9 @@ class PlanarTriangulation {
   std::vector<std::array<double, 2>> shape_;  // positions in doubles, for judging shape only
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> fixed_;
-  std::vector<std::uint32_t> cell_at_;             // a cell of each vertex
+  std::vector<std::uint32_t> cell_at_;  // a cell of each vertex
   std::vector<std::uint32_t> hull_next_, hull_previous_;
-  std::vector<Side> hull_side_;                    // inner side of the hull edge from each vertex to its next
+  std::vector<Side> hull_side_;  // inner side of the hull edge from each vertex to its next
 };
 
 }  // namespace mortise

@@ -197,7 +197,8 @@ std::size_t LineSubdivision::position(LineId root, PointId p) const {
   const auto begin = sorted_.begin() + first_[root];
   const auto end = sorted_.begin() + first_[LineId(root.index() + 1)];
   const std::size_t c = coordinate_[root];
-  const auto found = std::lower_bound(begin, end, p, [&](PointId a, PointId b) { return a != b && points_.compare(a, b, c) == Sign::Negative; });
+  const auto found =
+      std::lower_bound(begin, end, p, [&](PointId a, PointId b) { return a != b && points_.compare(a, b, c) == Sign::Negative; });
   MORTISE_CHECK(found != end && *found == p, "point " + std::to_string(p.value) + " of line " + std::to_string(root.value));
   return static_cast<std::size_t>(found - sorted_.begin());
 }

@@ -25,7 +25,7 @@ class LineSubdivision {
 
   const PointSet& points_;
   IdVector<LineId, LineId> root_;
-  IdVector<LineId, std::uint32_t> first_;       // line count + 1 entries; empty range for a line that is not a root
+  IdVector<LineId, std::uint32_t> first_;      // line count + 1 entries; empty range for a line that is not a root
   IdVector<LineId, std::uint8_t> coordinate_;  // along which the points of the line are ordered
   std::vector<PointId> sorted_;
 };
@@ -36,6 +36,7 @@ class LineSubdivision {
 /// an overlay of several faces their edges take part. Differs from the paper, which has no crossing segments in one face.
 /// O(n log n) in the segments plus the pairs whose boxes meet.
 /// @throws Error{Cancelled}
-[[nodiscard]] LineSubdivision split_segments(OperandFaces& faces, const Overlays& overlays, FaceIntersectionMap& map, const ProgressCallback& progress);
+[[nodiscard]] LineSubdivision split_segments(OperandFaces& faces, const Overlays& overlays, FaceIntersectionMap& map,
+                                             const ProgressCallback& progress);
 
 }  // namespace mortise

@@ -7,32 +7,52 @@ namespace mortise {
 
 std::string_view error_code_name(ErrorCode code) {
   switch (code) {
-    case ErrorCode::InvalidArgument: return "INVALID_ARGUMENT";
-    case ErrorCode::NotFinite: return "NOT_FINITE";
-    case ErrorCode::BadIndex: return "BAD_INDEX";
-    case ErrorCode::NotClosed: return "NOT_CLOSED";
-    case ErrorCode::NotOriented: return "NOT_ORIENTED";
-    case ErrorCode::InsideOut: return "INSIDE_OUT";
-    case ErrorCode::OutOfRange: return "OUT_OF_RANGE";
-    case ErrorCode::ResultTooLarge: return "RESULT_TOO_LARGE";
-    case ErrorCode::ParseFailed: return "PARSE_FAILED";
-    case ErrorCode::UnknownFormat: return "UNKNOWN_FORMAT";
-    case ErrorCode::FileFailed: return "FILE_FAILED";
-    case ErrorCode::Cancelled: return "CANCELLED";
-    case ErrorCode::OutOfMemory: return "OUT_OF_MEMORY";
-    case ErrorCode::InternalError: return "INTERNAL_ERROR";
+    case ErrorCode::InvalidArgument:
+      return "INVALID_ARGUMENT";
+    case ErrorCode::NotFinite:
+      return "NOT_FINITE";
+    case ErrorCode::BadIndex:
+      return "BAD_INDEX";
+    case ErrorCode::NotClosed:
+      return "NOT_CLOSED";
+    case ErrorCode::NotOriented:
+      return "NOT_ORIENTED";
+    case ErrorCode::InsideOut:
+      return "INSIDE_OUT";
+    case ErrorCode::OutOfRange:
+      return "OUT_OF_RANGE";
+    case ErrorCode::ResultTooLarge:
+      return "RESULT_TOO_LARGE";
+    case ErrorCode::ParseFailed:
+      return "PARSE_FAILED";
+    case ErrorCode::UnknownFormat:
+      return "UNKNOWN_FORMAT";
+    case ErrorCode::FileFailed:
+      return "FILE_FAILED";
+    case ErrorCode::Cancelled:
+      return "CANCELLED";
+    case ErrorCode::OutOfMemory:
+      return "OUT_OF_MEMORY";
+    case ErrorCode::InternalError:
+      return "INTERNAL_ERROR";
   }
   return "INTERNAL_ERROR";
 }
 
 std::string_view id_kind_name(IdKind kind) {
   switch (kind) {
-    case IdKind::None: return "";
-    case IdKind::Vertices: return "vertices";
-    case IdKind::Faces: return "faces";
-    case IdKind::VertexPairs: return "vertexPairs";
-    case IdKind::Line: return "line";
-    case IdKind::Byte: return "byte";
+    case IdKind::None:
+      return "";
+    case IdKind::Vertices:
+      return "vertices";
+    case IdKind::Faces:
+      return "faces";
+    case IdKind::VertexPairs:
+      return "vertexPairs";
+    case IdKind::Line:
+      return "line";
+    case IdKind::Byte:
+      return "byte";
   }
   return "";
 }

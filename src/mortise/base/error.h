@@ -66,7 +66,7 @@ class Error : public std::exception {
 
 /// Believed, always on: throws InternalError naming the entity.
 #define MORTISE_CHECK(condition, entity) \
-  do {                                   \
+  do { \
     if (!(condition)) ::mortise::fail_check(#condition, __FILE__, __LINE__, (entity)); \
   } while (false)
 

@@ -4,8 +4,10 @@
 #include "mortise/boolean/categorize.h"
 
 #include <algorithm>
+#include <string>
 
 #include "mortise/base/bits.h"
+#include "mortise/base/error.h"
 
 namespace mortise {
 namespace {
@@ -117,7 +119,8 @@ std::vector<PatchId> find_torn_patches(const OperandFaces& faces, const Facets& 
 }
 
 // Operands whose winding does not fit the jumps of a torn patch.
-void mark_torn_operands(const OperandFaces& faces, const Facets& facets, const Categories& categories, IdVector<OperandId, std::uint8_t>& is_torn) {
+void mark_torn_operands(const OperandFaces& faces, const Facets& facets, const Categories& categories,
+                        IdVector<OperandId, std::uint8_t>& is_torn) {
   const Patches& patches = categories.patches;
   const std::vector<PatchId> torn = find_torn_patches(faces, facets, categories);
   if (torn.empty()) return;
@@ -141,11 +144,14 @@ void judge_operands(const OperandFaces& faces, const Facets& facets, Categories&
   const WindingRange range = find_range(faces, facets, categories);
   IdVector<OperandId, std::uint8_t> is_torn(n, 0);
   mark_torn_operands(faces, facets, categories, is_torn);
-  for (const UnbalancedEdge& e : categories.patches.unbalanced) is_torn[e.operand] = 1;
+  IdVector<OperandId, std::uint8_t> is_unbalanced(n, 0);
+  for (const UnbalancedEdge& e : categories.patches.unbalanced) is_unbalanced[e.operand] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     const OperandId k(i);
-    const bool is_simple = range.lowest[k] == 0 && range.highest[k] <= 1 && is_torn[k] == 0;
-    if (!is_simple && faces.self_contacts[k] != SelfContacts::All) categories.doubtful.push_back(k);
+    const bool is_simple = range.lowest[k] == 0 && range.highest[k] <= 1 && is_torn[k] == 0 && is_unbalanced[k] == 0;
+    const bool is_resolved = faces.self_contacts[k] == SelfContacts::All;
+    if (!is_simple && !is_resolved) categories.doubtful.push_back(k);
+    MORTISE_CHECK(is_torn[k] == 0 || !is_resolved || is_unbalanced[k] != 0, "operand " + std::to_string(i));
     if (range.highest[k] <= 0 && range.lowest[k] < 0) categories.inside_out.push_back(k);
   }
 }

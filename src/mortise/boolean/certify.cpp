@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/boolean/moved_shells.h"
 #include "mortise/exact/predicates.h"
 #include "mortise/mesh/find_self_crossings.h"
 
@@ -19,72 +20,90 @@ struct ResultEdge {
   bool operator<(const ResultEdge& other) const { return key != other.key ? key < other.key : triangle < other.triangle; }
 };
 
+// A triangle at an edge u -> v, in the doubles of the result.
+struct TriangleAtEdge {
+  FaceId triangle;
+  Vec3d apex;
+  bool is_forward;
+};
+
 class Certifier {
  public:
-  Certifier(const OperandFaces& faces, const Facets& facets, std::span<const KeptFacet> kept, const MergedMesh& merged)
-      : faces_(faces), facets_(facets), kept_(kept), merged_(merged), mesh_(merged.mesh) {}
+  Certifier(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged)
+      : faces_(faces), facets_(facets), merged_(merged), mesh_(merged.mesh) {}
 
-  [[nodiscard]] Certificate run(const ProgressCallback& progress) {
+  [[nodiscard]] CertifiedMesh run(const ProgressCallback& progress) {
     find_moved();
-    if (moved_count_ == 0) return certificate_;
+    if (result_.certificate.triangles_tested == 0) return result_;
     test_pairs(progress);
     test_order_round_edges();
-    auto& failed = certificate_.failed_faces;
+    for (const FaceId t : find_turned_shells(faces_, facets_, merged_, is_moved_vertex_)) fail(t, t);
+    auto& failed = result_.certificate.failed_faces;
     std::sort(failed.begin(), failed.end());
     failed.erase(std::unique(failed.begin(), failed.end()), failed.end());
-    if (!failed.empty()) certificate_.status = CertificateStatus::Uncertified;
-    return certificate_;
+    if (!failed.empty()) result_.certificate.status = CertificateStatus::Uncertified;
+    return std::move(result_);
   }
 
  private:
-  void find_moved() {
-    std::vector<std::uint8_t> is_moved_vertex(mesh_.points.size(), 0);
-    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (faces_.points.is_representable(merged_.point_of_vertex[v])) continue;
-      is_moved_vertex[v] = 1;
-      const Vec3d& p = mesh_.points[v];
-      constexpr double half_ulp = 0x1p-53;
-      const Vec3d bound{half_ulp * p.x, half_ulp * p.y, half_ulp * p.z};
-      certificate_.largest_displacement = std::fmax(certificate_.largest_displacement, std::sqrt(dot(bound, bound)));
-    }
-    is_moved_.assign(mesh_.triangles.size(), 0);
-    touches_moved_.assign(mesh_.points.size(), 0);
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      for (const VertexId v : mesh_.triangles[t]) is_moved_[t] |= is_moved_vertex[v.index()];
-      if (is_moved_[t] == 0) continue;
-      ++moved_count_;
-      for (const VertexId v : mesh_.triangles[t]) touches_moved_[v.index()] = 1;
-    }
-    certificate_.triangles_tested = moved_count_;
+  [[nodiscard]] const Triangle& triangle(FaceId t) const { return mesh_.triangles[t.index()]; }
+  [[nodiscard]] const Vec3d& position(VertexId v) const { return mesh_.points[v.index()]; }
+  [[nodiscard]] PointId point_of(VertexId v) const { return merged_.point_of_vertex[v.index()]; }
+  [[nodiscard]] const PlanePoints& exact_corners(FaceId t) const { return facets_.corners[merged_.facet_of_triangle[t.index()].facet]; }
+
+  void note_rounding(const Vec3d& p) {
+    constexpr double half_ulp = 0x1p-53;
+    const Vec3d bound{half_ulp * p.x, half_ulp * p.y, half_ulp * p.z};
+    double& largest = result_.certificate.largest_displacement;
+    largest = std::fmax(largest, std::sqrt(dot(bound, bound)));
   }
 
-  [[nodiscard]] Box3 box_of(std::size_t t) const {
+  void find_moved() {
+    result_.certificate.largest_displacement = merged_.repair_displacement;
+    is_moved_ = merged_.is_repaired;
+    is_moved_vertex_.assign(mesh_.points.size(), 0);
+    touches_moved_.assign(mesh_.points.size(), 0);
+    for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
+      if (faces_.points.is_representable(point_of(VertexId(v)))) continue;
+      is_moved_vertex_[v] = 1;
+      note_rounding(mesh_.points[v]);
+    }
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      for (const VertexId v : mesh_.triangles[t]) is_moved_[t] |= is_moved_vertex_[v.index()];
+      if (is_moved_[t] == 0) continue;
+      ++result_.certificate.triangles_tested;
+      for (const VertexId v : mesh_.triangles[t]) touches_moved_[v.index()] = 1;
+    }
+  }
+
+  [[nodiscard]] Box3 box_of(const Triangle& t) const {
     Box3 box;
-    for (const VertexId v : mesh_.triangles[t]) box.extend(mesh_.points[v.index()]);
+    for (const VertexId v : t) box.extend(position(v));
     return box;
   }
 
-  void fail(std::size_t a, std::size_t b) {
-    certificate_.failed_faces.push_back(static_cast<std::uint32_t>(a));
-    certificate_.failed_faces.push_back(static_cast<std::uint32_t>(b));
+  void fail(FaceId a, FaceId b) {
+    result_.failed.push_back({a, b});
+    result_.certificate.failed_faces.push_back(a.value);
+    result_.certificate.failed_faces.push_back(b.value);
   }
 
   void test_pairs(const ProgressCallback& progress) {
     std::vector<Box3> boxes;
     boxes.reserve(mesh_.triangles.size());
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) boxes.push_back(box_of(t));
+    for (const Triangle& t : mesh_.triangles) boxes.push_back(box_of(t));
     const BoxTree tree(boxes);
     constexpr std::size_t triangles_per_report = 4096;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       if (t % triangles_per_report == 0) {
-        report_progress(progress, "certify", 0.85 + 0.15 * static_cast<double>(t) / static_cast<double>(mesh_.triangles.size()));
+        report_progress(progress, "certify", 0.85 + 0.1 * static_cast<double>(t) / static_cast<double>(mesh_.triangles.size()));
       }
       if (is_moved_[t] == 0) continue;
-      if (is_degenerate(mesh_, FaceId(t))) fail(t, t);
+      if (is_degenerate(mesh_, FaceId(t))) fail(FaceId(t), FaceId(t));
       tree.for_each_meeting(boxes[t], [&](std::uint32_t other) {
         if (other == t || (is_moved_[other] != 0 && other < t)) return;
-        ++certificate_.pairs_tested;
-        if (triangles_meet_beyond_shared(mesh_, FaceId(t), FaceId(other))) fail(t, other);
+        ++result_.certificate.pairs_tested;
+        if (triangles_meet_beyond_shared(mesh_, FaceId(t), FaceId(other))) fail(FaceId(t), FaceId(other));
       });
     }
   }
@@ -112,55 +131,70 @@ class Certifier {
   void test_order(std::span<const ResultEdge> group) {
     const VertexId u(static_cast<std::uint32_t>(group[0].key >> 32U));
     const VertexId v(static_cast<std::uint32_t>(group[0].key));
+    std::vector<TriangleAtEdge> around;
+    for (const ResultEdge& e : group) around.push_back(at_edge(e.triangle, u, v));
+    sort_round_edge_in_doubles(position(u), position(v), around);
+    const bool is_exact_edge =
+        std::all_of(group.begin(), group.end(), [&](const ResultEdge& e) { return has_exact_edge(e.triangle, u, v); });
+    if (!(is_exact_edge ? is_exact_order(u, v, around) : alternates(around))) fail(group[0].triangle, group[1].triangle);
+  }
+
+  [[nodiscard]] TriangleAtEdge at_edge(FaceId t, VertexId u, VertexId v) const {
+    const Triangle& c = triangle(t);
+    std::size_t i = 0;
+    while (i < 2 && (c[i] == u || c[i] == v)) ++i;
+    return {t, position(c[i]), c[(i + 1) % 3] == u};
+  }
+
+  // Counterclockwise looking from v to u, beginning with the first; equal angles keep their order.
+  static void sort_round_edge_in_doubles(const Vec3d& u, const Vec3d& v, std::vector<TriangleAtEdge>& around) {
+    const Vec3d reference = around.front().apex;
+    std::stable_sort(around.begin() + 1, around.end(), [&](const TriangleAtEdge& a, const TriangleAtEdge& b) {
+      const Sign to_a = orient3d(u, v, reference, a.apex);
+      const Sign to_b = orient3d(u, v, reference, b.apex);
+      if (to_a != to_b) return to_a > to_b;
+      return to_a != Sign::Zero && orient3d(u, v, a.apex, b.apex) == Sign::Positive;
+    });
+  }
+
+  [[nodiscard]] bool has_exact_edge(FaceId t, VertexId u, VertexId v) const {
+    const PlanePoints& c = exact_corners(t);
+    return std::find(c.begin(), c.end(), point_of(u)) != c.end() && std::find(c.begin(), c.end(), point_of(v)) != c.end();
+  }
+
+  [[nodiscard]] bool is_exact_order(VertexId u, VertexId v, std::span<const TriangleAtEdge> around) const {
     std::vector<FacetAtEdge> exact;
-    for (const ResultEdge& e : group) {
-      exact.push_back(facet_at_edge(faces_, facets_, kept_[e.triangle.index()].facet, merged_.point_of_vertex[u.index()],
-                                    merged_.point_of_vertex[v.index()]));
+    for (const TriangleAtEdge& t : around) {
+      exact.push_back(facet_at_edge(faces_, facets_, merged_.facet_of_triangle[t.triangle.index()].facet, point_of(u), point_of(v)));
     }
+    const std::vector<FacetAtEdge> rounded = exact;
     sort_round_edge(faces_, exact);
-    if (!is_rounded_order(u, v, exact)) fail(group[0].triangle.index(), group[1].triangle.index());
+    return std::equal(exact.begin(), exact.end(), rounded.begin(),
+                      [](const FacetAtEdge& a, const FacetAtEdge& b) { return a.facet == b.facet; });
   }
 
-  // The third corner of a kept facet at an edge.
-  [[nodiscard]] const Vec3d& apex(VertexId u, VertexId v, FacetId facet) const {
-    const auto at = std::lower_bound(kept_.begin(), kept_.end(), facet, [](const KeptFacet& k, FacetId f) { return k.facet < f; });
-    const Triangle& t = mesh_.triangles[static_cast<std::size_t>(at - kept_.begin())];
-    const VertexId w = t[0] != u && t[0] != v ? t[0] : t[1] != u && t[1] != v ? t[1] : t[2];
-    return mesh_.points[w.index()];
-  }
-
-  // Are the doubles of facets round an edge in the order given?
-  [[nodiscard]] bool is_rounded_order(VertexId u, VertexId v, std::span<const FacetAtEdge> order) const {
-    const Vec3d& p = mesh_.points[u.index()];
-    const Vec3d& q = mesh_.points[v.index()];
-    const Vec3d& reference = apex(u, v, order[0].facet);
-    for (std::size_t i = 1; i + 1 < order.size(); ++i) {
-      const Vec3d& a = apex(u, v, order[i].facet);
-      const Vec3d& b = apex(u, v, order[i + 1].facet);
-      const Sign to_a = orient3d(p, q, reference, a);
-      const Sign to_b = orient3d(p, q, reference, b);
-      if (to_a < to_b) return false;
-      if (to_a == to_b && orient3d(p, q, a, b) != Sign::Positive) return false;
+  // Going round, one enters and leaves the result in turn.
+  static bool alternates(std::span<const TriangleAtEdge> around) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      if (around[i].is_forward == around[(i + 1) % around.size()].is_forward) return false;
     }
     return true;
   }
 
   const OperandFaces& faces_;
   const Facets& facets_;
-  std::span<const KeptFacet> kept_;
   const MergedMesh& merged_;
   const SurfaceMesh& mesh_;
   std::vector<std::uint8_t> is_moved_;
+  std::vector<std::uint8_t> is_moved_vertex_;
   std::vector<std::uint8_t> touches_moved_;
-  std::uint64_t moved_count_ = 0;
-  Certificate certificate_;
+  CertifiedMesh result_;
 };
 
 }  // namespace
 
-Certificate certify(const OperandFaces& faces, const Facets& facets, std::span<const KeptFacet> kept, const MergedMesh& merged,
-                    const ProgressCallback& progress) {
-  return Certifier(faces, facets, kept, merged).run(progress);
+CertifiedMesh certify(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged, const ProgressCallback& progress) {
+  return Certifier(faces, facets, merged).run(progress);
 }
 
 }  // namespace mortise

@@ -8,14 +8,25 @@
 
 namespace mortise {
 
+/// Two triangles of a result that meet beyond what they share; the same one twice when it has no area.
+struct FailedPair {
+  FaceId a, b;
+};
+
+struct CertifiedMesh {
+  Certificate certificate;
+  std::vector<FailedPair> failed;  ///< every pair behind Certificate::failed_faces
+};
+
 /// The certificate of level `relative` (exact-core 5): if the operands had no crossing, the result has none.
 ///
-/// Tested are all triangles with a vertex that is not its exact point, each against every triangle whose box it meets:
-/// they have area, they meet exactly in the corners they share, and the order of triangles round an edge with more than two
-/// is the exact one. Every closed shell all of whose vertices moved keeps the sign of its volume.
+/// Tested are all triangles with a vertex that is not its exact point, or repaired, each against every triangle whose box
+/// it meets: they have area, and they meet exactly in what they share. Round an edge with more than two triangles their
+/// order is the exact one; round an edge that a repair made, inside and outside alternate. A shell all of whose vertices
+/// moved keeps its sense.
 /// @throws Error{Cancelled}
-/// O(n log n) in the tested triangles and what is near them.
-[[nodiscard]] Certificate certify(const OperandFaces& faces, const Facets& facets, std::span<const KeptFacet> kept, const MergedMesh& merged,
-                                  const ProgressCallback& progress);
+/// O(n log n) in the result.
+[[nodiscard]] CertifiedMesh certify(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,
+                                    const ProgressCallback& progress);
 
 }  // namespace mortise

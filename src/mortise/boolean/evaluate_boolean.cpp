@@ -13,8 +13,10 @@
 #include "mortise/boolean/certify.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
+#include "mortise/boolean/merge_close_vertices.h"
 #include "mortise/boolean/refuse_operands.h"
 #include "mortise/boolean/select.h"
+#include "mortise/boolean/swap_slivers.h"
 
 namespace mortise {
 namespace {
@@ -45,8 +47,7 @@ Arrangement arrange(OperandFaces& faces, const BooleanOptions& options, std::vec
   const Overlays overlays = timed(times, "overlay_coplanar", [&] { return overlay_coplanar(faces, contacts); });
   Arrangement result;
   result.map = timed(times, "face_intersection_map", [&] { return build_face_intersection_map(faces, contacts, overlays); });
-  const LineSubdivision lines =
-      timed(times, "split_segments", [&] { return split_segments(faces, overlays, result.map, progress); });
+  const LineSubdivision lines = timed(times, "split_segments", [&] { return split_segments(faces, overlays, result.map, progress); });
   result.facets = timed(times, "triangulate_faces", [&] { return triangulate_faces(faces, overlays, result.map, lines, progress); });
   report_progress(progress, "categorize", 0.65);
   result.categories = timed(times, "categorize", [&] { return categorize(faces, result.map, result.facets); });
@@ -61,6 +62,21 @@ Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& opti
     result = arrange(faces, options, times);
   }
   return result;
+}
+
+// Certifies the doubles of a result; repairs what rounding folded as long as there is something to repair.
+Certificate certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh& merged, const ProgressCallback& progress) {
+  Box3 box;
+  for (const Vec3d& p : merged.mesh.points) box.extend(p);
+  const Vec3d size = box.hi - box.lo;
+  const double reach = 0x1p-46 * std::max({size.x, size.y, size.z});  // the finest grid of snap rounding
+  constexpr int most_rounds = 8;
+  CertifiedMesh certified = certify(faces, facets, merged, progress);
+  for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
+    if (!merge_close_vertices(faces, certified.failed, reach, merged) && !swap_slivers(certified.failed, reach, merged)) break;
+    certified = certify(faces, facets, merged, progress);
+  }
+  return certified.certificate;
 }
 
 std::vector<std::uint32_t> operands_with_self_contacts(const OperandFaces& faces) {
@@ -89,7 +105,7 @@ BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh*
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
   });
-  report.certificate = timed(times, "certify", [&] { return certify(faces, arrangement.facets, kept, merged, options.progress); });
+  report.certificate = timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, merged, options.progress); });
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
   report.self_contacts = operands_with_self_contacts(faces);
   result.mesh = std::move(merged.mesh);

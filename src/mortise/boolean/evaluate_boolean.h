@@ -24,7 +24,8 @@ struct BooleanOptions {
 /// winding is positive. An empty result is a mesh without triangles.
 /// @throws Error{NotFinite, BadIndex, NotClosed, NotOriented, InsideOut, OutOfRange, ResultTooLarge, Cancelled}
 /// Near-linear in the operands, plus time in proportion to the contact. Exact until the vertices are rounded, once.
-[[nodiscard]] BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands,
+                                             const BooleanOptions& options = {});
 
 [[nodiscard]] BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 [[nodiscard]] BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});

@@ -91,6 +91,8 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
   MergedMesh merged;
   const std::vector<VertexId> vertex_of = number_points(faces, facets, kept, merged);
   merged.mesh.triangles.reserve(kept.size());
+  merged.facet_of_triangle.assign(kept.begin(), kept.end());
+  merged.is_repaired.assign(kept.size(), 0);
   for (const KeptFacet& k : kept) {
     const PlanePoints& c = facets.corners[k.facet];
     Triangle t{vertex_of[c[0].index()], vertex_of[c[1].index()], vertex_of[c[2].index()]};

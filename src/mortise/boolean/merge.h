@@ -11,10 +11,14 @@
 
 namespace mortise {
 
+/// The result as a mesh, and how it hangs on the arrangement.
 struct MergedMesh {
   SurfaceMesh mesh;
   Provenance provenance;
-  std::vector<PointId> point_of_vertex;  ///< ascending: input points in the order of the operands, then made points
+  std::vector<PointId> point_of_vertex;      ///< ascending: input points in the order of the operands, then made points
+  std::vector<KeptFacet> facet_of_triangle;  ///< ascending, up to repairs
+  std::vector<std::uint8_t> is_repaired;     ///< per triangle: a repair gave it other corners than its facet has
+  double repair_displacement = 0;            ///< the farthest any repair moved a point of the surface
 };
 
 /// One mesh of the kept facets; vertices are the nearest doubles of their points (paper 6.3).

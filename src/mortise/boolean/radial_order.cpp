@@ -17,8 +17,8 @@ namespace {
 Sign turn_between(const OperandFaces& faces, const FacetAtEdge& a, const FacetAtEdge& b) {
   const PlanePoints& c = faces.corners[a.face];
   if (b.witness == c[0] || b.witness == c[1] || b.witness == c[2]) return Sign::Zero;
-  const Sign side = orient3d(faces.points.nearest(c[0]), faces.points.nearest(c[1]), faces.points.nearest(c[2]),
-                             faces.points.nearest(b.witness));
+  const Sign side =
+      orient3d(faces.points.nearest(c[0]), faces.points.nearest(c[1]), faces.points.nearest(c[2]), faces.points.nearest(b.witness));
   return a.is_forward ? side : -side;
 }
 

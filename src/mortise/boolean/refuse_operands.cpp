@@ -57,18 +57,20 @@ std::vector<std::uint32_t> unbalanced_pairs(const std::vector<EdgeOfOperand>& ed
   const std::vector<EdgeOfOperand> edges = edges_of(mesh, faces, k);
   const std::vector<std::uint32_t> pairs = unbalanced_pairs(edges, is_open);
   const std::string count = std::to_string(pairs.size() / 2);
-  Error error = is_open ? Error(ErrorCode::NotClosed, stage_name,
-                                "operand " + std::to_string(k.value) + " is a sheet, not a solid: " + count + " open edges")
-                        : Error(ErrorCode::NotOriented, stage_name,
-                                "operand " + std::to_string(k.value) + " is not consistently oriented: faces run the same way along " +
-                                    count + " edges");
+  Error error =
+      is_open
+          ? Error(ErrorCode::NotClosed, stage_name,
+                  "operand " + std::to_string(k.value) + " is a sheet, not a solid: " + count + " open edges")
+          : Error(ErrorCode::NotOriented, stage_name,
+                  "operand " + std::to_string(k.value) + " is not consistently oriented: faces run the same way along " + count + " edges");
   throw std::move(error).with_ids(IdKind::VertexPairs, pairs).in_operand(k.index());
 }
 
 void refuse_inside_out(const OperandFaces& faces, OperandId k) {
   std::vector<std::uint32_t> ids(faces.first[OperandId(k.index() + 1)] - faces.first[k]);
   for (std::uint32_t i = 0; i < ids.size(); ++i) ids[i] = i;
-  throw Error(ErrorCode::InsideOut, stage_name, "operand " + std::to_string(k.value) + " is inside out: its faces run clockwise seen from outside")
+  throw Error(ErrorCode::InsideOut, stage_name,
+              "operand " + std::to_string(k.value) + " is inside out: its faces run clockwise seen from outside")
       .with_ids(IdKind::Faces, ids)
       .in_operand(k.index());
 }
@@ -81,7 +83,8 @@ void refuse_operands(std::span<const SurfaceMesh* const> operands, const Operand
     const OperandId k = std::min_element(unbalanced.begin(), unbalanced.end(), [](const UnbalancedEdge& a, const UnbalancedEdge& b) {
                           return a.operand < b.operand;
                         })->operand;
-    const bool is_open = std::any_of(unbalanced.begin(), unbalanced.end(), [&](const UnbalancedEdge& e) { return e.operand == k && e.is_open; });
+    const bool is_open =
+        std::any_of(unbalanced.begin(), unbalanced.end(), [&](const UnbalancedEdge& e) { return e.operand == k && e.is_open; });
     refuse_unbalanced(*operands[k.index()], faces, k, is_open);
   }
   if (!categories.inside_out.empty()) refuse_inside_out(faces, categories.inside_out.front());

@@ -15,9 +15,9 @@ namespace mortise {
 
 /// Where boundaries of different operands meet. Polylines over graph points; a closed loop repeats its first point.
 struct IntersectionGraph {
-  std::vector<Vec3d> points;                          ///< nearest doubles
-  std::vector<std::array<std::uint32_t, 2>> edges;    ///< p < q, sorted
-  std::vector<std::vector<std::uint32_t>> chains;     ///< closed loops first, then open chains; isolated points are in none
+  std::vector<Vec3d> points;                        ///< nearest doubles
+  std::vector<std::array<std::uint32_t, 2>> edges;  ///< p < q, sorted
+  std::vector<std::vector<std::uint32_t>> chains;   ///< closed loops first, then open chains; isolated points are in none
   std::uint32_t closed_loops = 0;
   std::uint32_t open_chains = 0;
 };
@@ -35,8 +35,8 @@ struct Certificate {
   CertificateStatus status = CertificateStatus::Certified;
   std::uint64_t triangles_tested = 0;  ///< with a vertex that was rounded
   std::uint64_t pairs_tested = 0;
-  double largest_displacement = 0;            ///< largest distance bound between an exact point and its doubles
-  std::vector<std::uint32_t> failed_faces;    ///< of the result, ascending; empty when certified
+  double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
+  std::vector<std::uint32_t> failed_faces;  ///< of the result, ascending; empty when certified
 };
 
 struct StageTime {

@@ -7,8 +7,8 @@
 #include <limits>
 #include <string>
 
-#include "mortise/base/union_find.h"
 #include "mortise/base/error.h"
+#include "mortise/base/union_find.h"
 #include "mortise/exact/predicates.h"
 
 namespace mortise {

@@ -21,6 +21,7 @@ struct KeptFacet {
 
 /// The facets of the result, ascending (paper 6.2, Fig. 16: the tags 10, 11, 20, 21 are names for the four cases of n = 2).
 /// O(facets + regions).
-[[nodiscard]] std::vector<KeptFacet> select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories);
+[[nodiscard]] std::vector<KeptFacet> select(Operation operation, const OperandFaces& faces, const Facets& facets,
+                                            const Categories& categories);
 
 }  // namespace mortise

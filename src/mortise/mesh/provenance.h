@@ -10,9 +10,9 @@ namespace mortise {
 
 /// Where every facet and vertex of a result comes from.
 struct Provenance {
-  std::vector<std::uint32_t> source_operand;  ///< per facet; the lowest operand where several coincide
-  std::vector<std::uint32_t> source_face;     ///< per facet: triangle of that operand
-  std::vector<std::uint8_t> flipped;          ///< per facet: 1 when it runs against its source
+  std::vector<std::uint32_t> source_operand;        ///< per facet; the lowest operand where several coincide
+  std::vector<std::uint32_t> source_face;           ///< per facet: triangle of that operand
+  std::vector<std::uint8_t> flipped;                ///< per facet: 1 when it runs against its source
   std::vector<std::uint32_t> other_source_begin;    ///< CSR: facet count + 1 offsets into the two arrays below
   std::vector<std::uint32_t> other_source_operand;  ///< further sources that coincide with a facet
   std::vector<std::uint32_t> other_source_face;

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Vertex merges on the compact result, and the compaction after them.
+#include "mortise/boolean/merge_close_vertices.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace mortise {
+namespace {
+
+struct ClosePair {
+  double distance2;
+  VertexId a, b;  // a < b
+
+  bool operator<(const ClosePair& other) const {
+    if (distance2 != other.distance2) return distance2 < other.distance2;
+    return a != other.a ? a < other.a : b < other.b;
+  }
+};
+
+std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, std::span<const FailedPair> failed, double reach) {
+  std::vector<ClosePair> pairs;
+  for (const FailedPair& f : failed) {
+    std::vector<VertexId> corners;
+    for (const FaceId t : {f.a, f.b}) {
+      corners.insert(corners.end(), merged.mesh.triangles[t.index()].begin(), merged.mesh.triangles[t.index()].end());
+    }
+    std::sort(corners.begin(), corners.end());
+    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      for (std::size_t j = i + 1; j < corners.size(); ++j) {
+        const Vec3d gap = merged.mesh.points[corners[j].index()] - merged.mesh.points[corners[i].index()];
+        if (dot(gap, gap) <= reach * reach) pairs.push_back({dot(gap, gap), corners[i], corners[j]});
+      }
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+// The vertex that takes the place of each; input vertices come first and so have the lower numbers.
+class Replacement {
+ public:
+  Replacement(const OperandFaces& faces, const MergedMesh& merged) : faces_(faces), merged_(merged) {
+    for (std::size_t v = 0; v < merged.mesh.points.size(); ++v) of_.push_back(VertexId(v));
+  }
+
+  bool merge(VertexId a, VertexId b) {
+    a = find(a);
+    b = find(b);
+    if (a == b) return false;
+    if (b < a) std::swap(a, b);
+    if (faces_.points.is_input(merged_.point_of_vertex[b.index()])) return false;
+    of_[b.index()] = a;
+    return true;
+  }
+  [[nodiscard]] VertexId find(VertexId v) const {
+    while (of_[v.index()] != v) v = of_[v.index()];
+    return v;
+  }
+
+ private:
+  const OperandFaces& faces_;
+  const MergedMesh& merged_;
+  std::vector<VertexId> of_;
+};
+
+void replace_corners(const Replacement& replacement, MergedMesh& merged) {
+  for (std::size_t t = 0; t < merged.mesh.triangles.size(); ++t) {
+    for (VertexId& v : merged.mesh.triangles[t]) {
+      const VertexId other = replacement.find(v);
+      if (other == v) continue;
+      const Vec3d gap = merged.mesh.points[other.index()] - merged.mesh.points[v.index()];
+      merged.repair_displacement = std::fmax(merged.repair_displacement, std::sqrt(dot(gap, gap)));
+      merged.is_repaired[t] = 1;
+      v = other;
+    }
+  }
+}
+
+struct SortedTriangle {
+  Triangle corners;  // ascending
+  bool is_even;
+  std::uint32_t triangle;
+
+  bool operator<(const SortedTriangle& other) const {
+    return corners != other.corners ? corners < other.corners : triangle < other.triangle;
+  }
+};
+
+SortedTriangle sorted_triangle(const Triangle& t, std::uint32_t number) {
+  const auto first = static_cast<std::size_t>(std::min_element(t.begin(), t.end()) - t.begin());
+  const VertexId a = t[first];
+  const VertexId b = t[(first + 1) % 3];
+  const VertexId c = t[(first + 2) % 3];
+  return b < c ? SortedTriangle{{a, b, c}, true, number} : SortedTriangle{{a, c, b}, false, number};
+}
+
+// Triangles that remain: not those with a corner twice, not pairs that cancel.
+std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles) {
+  std::vector<std::uint8_t> remains(triangles.size(), 1);
+  std::vector<SortedTriangle> sorted;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    const Triangle& c = triangles[t];
+    if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) {
+      remains[t] = 0;
+    } else {
+      sorted.push_back(sorted_triangle(c, t));
+    }
+  }
+  std::sort(sorted.begin(), sorted.end());
+  std::vector<std::uint32_t> open;  // triangles on the same corners that nothing has cancelled, all of one sense
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    if (i == 0 || sorted[i].corners != sorted[i - 1].corners) open.clear();
+    const bool cancels = !open.empty() && sorted[open.back()].is_even != sorted[i].is_even;
+    if (!cancels) {
+      open.push_back(static_cast<std::uint32_t>(i));
+      continue;
+    }
+    remains[sorted[i].triangle] = remains[sorted[open.back()].triangle] = 0;
+    open.pop_back();
+  }
+  return remains;
+}
+
+template <class T>
+void keep_marked(std::vector<T>& values, const std::vector<std::uint8_t>& is_kept) {
+  if (values.empty()) return;
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (is_kept[i] != 0) values[next++] = values[i];
+  }
+  values.resize(next);
+}
+
+void keep_other_sources(Provenance& p, const std::vector<std::uint8_t>& is_kept) {
+  std::vector<std::uint8_t> keeps_entry(p.other_source_face.size(), 0);
+  std::vector<std::uint32_t> begin{0};
+  for (std::size_t t = 0; t < is_kept.size(); ++t) {
+    if (is_kept[t] == 0) continue;
+    const std::uint32_t count = p.other_source_begin[t + 1] - p.other_source_begin[t];
+    std::fill_n(keeps_entry.begin() + p.other_source_begin[t], count, std::uint8_t{1});
+    begin.push_back(begin.back() + count);
+  }
+  keep_marked(p.other_source_operand, keeps_entry);
+  keep_marked(p.other_source_face, keeps_entry);
+  p.other_source_begin = std::move(begin);
+}
+
+void keep_triangles(MergedMesh& merged, const std::vector<std::uint8_t>& is_kept) {
+  keep_other_sources(merged.provenance, is_kept);
+  keep_marked(merged.mesh.triangles, is_kept);
+  keep_marked(merged.mesh.face_labels, is_kept);
+  keep_marked(merged.facet_of_triangle, is_kept);
+  keep_marked(merged.is_repaired, is_kept);
+  keep_marked(merged.provenance.source_operand, is_kept);
+  keep_marked(merged.provenance.source_face, is_kept);
+  keep_marked(merged.provenance.flipped, is_kept);
+}
+
+void drop_unused_vertices(MergedMesh& merged) {
+  std::vector<std::uint8_t> is_used(merged.mesh.points.size(), 0);
+  for (const Triangle& t : merged.mesh.triangles) {
+    for (const VertexId v : t) is_used[v.index()] = 1;
+  }
+  std::vector<VertexId> renamed(is_used.size());
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v] != 0) renamed[v] = VertexId(next++);
+  }
+  for (Triangle& t : merged.mesh.triangles) {
+    for (VertexId& v : t) v = renamed[v.index()];
+  }
+  keep_marked(merged.mesh.points, is_used);
+  keep_marked(merged.point_of_vertex, is_used);
+  keep_marked(merged.provenance.vertex_operand, is_used);
+  keep_marked(merged.provenance.vertex_source, is_used);
+}
+
+}  // namespace
+
+bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double reach, MergedMesh& merged) {
+  Replacement replacement(faces, merged);
+  bool any = false;
+  for (const ClosePair& pair : find_close_pairs(merged, failed, reach)) any |= replacement.merge(pair.a, pair.b);
+  if (!any) return false;
+  replace_corners(replacement, merged);
+  keep_triangles(merged, find_remaining(merged.mesh.triangles));
+  drop_unused_vertices(merged);
+  return true;
+}
+
+}  // namespace mortise
