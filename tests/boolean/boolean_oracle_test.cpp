@@ -92,16 +92,24 @@ TEST_CASE("the oracle makes the common point of three faces of three solids") {
 TEST_CASE("three faces in general position determine their common point, and it is checked against a fourth") {
   const oracle::Corners x{{{1, 0, 0}, {1, 1, 0}, {1, 0, 1}}}, y{{{0, 2, 0}, {1, 2, 0}, {0, 2, 1}}}, z{{{0, 0, 3}, {1, 0, 3}, {0, 1, 3}}};
   const oracle::Corners elsewhere{{{9, 0, 0}, {0, 9, 0}, {0, 0, 9}}};
-  CHECK(oracle::points_determined_by({x, y, z}) == std::vector{oracle::exact({1, 2, 3})});
-  CHECK(oracle::points_determined_by({x, y, z, elsewhere}).empty());
+  CHECK(oracle::points_determined_by({1, 2, 3}, {x, y, z}) == std::vector{oracle::exact({1, 2, 3})});
+  CHECK(oracle::points_determined_by({1, 2, 3}, {x, y, z, elsewhere}).empty());
 }
 
 TEST_CASE("two coplanar faces and a third determine points on their edges only") {
   const oracle::Corners low{{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}}}, high{{{0, 0, 0}, {3, 3, 0}, {0, 3, 0}}}, across{{{0, 1, -1}, {3, 1, -1}, {3, 1, 1}}};
-  // The plane y = 1 meets the lines of the edges in z = 0 at x = 1 (diagonal), x = 3 and x = 0; the edges of the
-  // face across meet the plane z = 0 at x = 1.5 and x = 3.
-  const std::vector<oracle::RationalPoint> points = oracle::points_determined_by({low, high, across});
-  CHECK(points == std::vector{oracle::exact({0, 1, 0}), oracle::exact({1, 1, 0}), oracle::exact({1.5, 1, 0}), oracle::exact({3, 1, 0})});
+  // The plane y = 1 meets the diagonal of the square at x = 1 and its sides at x = 0 and x = 3; between them there is
+  // nothing but x = 1.5, where an edge of the face across passes through the square.
+  CHECK(oracle::points_determined_by({1, 1, 0}, {low, high, across}) == std::vector{oracle::exact({1, 1, 0})});
+  CHECK(oracle::points_determined_by({3, 1, 0}, {low, high, across}) == std::vector{oracle::exact({3, 1, 0})});
+  CHECK(oracle::points_determined_by({1.5, 1, 0}, {low, high, across}) == std::vector{oracle::exact({1.5, 1, 0})});
+  CHECK(oracle::points_determined_by({2, 1, 0}, {low, high, across}).empty());
+}
+
+TEST_CASE("two edges that cross in one plane determine their crossing") {
+  const oracle::Corners face{{{0, 0, 0}, {3, 3, 0}, {0, 3, 0}}}, touching{{{0, 2, 0}, {2, 0, 0}, {1, 1, 5}}};
+  CHECK(oracle::points_determined_by({1, 1, 0}, {face}).empty());
+  CHECK(oracle::points_determined_by({1, 1, 0}, {face}, {touching}) == std::vector{oracle::exact({1, 1, 0})});
 }
 
 TEST_CASE("shells, genus and pinched edges are counted by the checks") {

@@ -217,10 +217,34 @@ std::vector<Corners> corners_of_sources(std::span<const SurfaceMesh* const> oper
   return corners;
 }
 
-/// The exact point a made vertex stands for: the one its faces allow that rounds to its doubles.
-std::vector<RationalPoint> exact_points_at(const Vec3d& doubles, const std::vector<Corners>& faces) {
-  std::vector<RationalPoint> points = oracle::points_determined_by(faces);
-  std::erase_if(points, [&](const RationalPoint& p) { return oracle::nearest_double(p) != doubles; });
+/// Faces of all operands whose boxes hold the point, or miss it by no more than rounding could move it.
+std::vector<Corners> faces_near(std::span<const SurfaceMesh* const> operands, const Vec3d& p) {
+  const auto holds = [&](const Corners& c) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double slack = std::ldexp(std::fabs(p[i]), -50);
+      if (p[i] < std::min({c[0][i], c[1][i], c[2][i]}) - slack || p[i] > std::max({c[0][i], c[1][i], c[2][i]}) + slack) return false;
+    }
+    return true;
+  };
+  std::vector<Corners> near;
+  for (const SurfaceMesh* operand : operands) {
+    for (std::size_t f = 0; f < operand->triangles.size(); ++f) {
+      const Corners corners = oracle::corners_of(*operand, f);
+      if (holds(corners)) near.push_back(corners);
+    }
+  }
+  return near;
+}
+
+/// The exact point a made vertex stands for: the one its faces allow that rounds to its doubles. Where a contact without
+/// volume made it, the other face of the contact is not in the result and is looked for among all faces.
+std::vector<RationalPoint> exact_points_at(const Vec3d& doubles, const std::vector<Corners>& faces, std::span<const SurfaceMesh* const> operands) {
+  const auto differs = [&](const RationalPoint& p) { return oracle::nearest_double(p) != doubles; };
+  std::vector<RationalPoint> points = oracle::points_determined_by(doubles, faces);
+  std::erase_if(points, differs);
+  if (!points.empty()) return points;
+  points = oracle::points_determined_by(doubles, faces, faces_near(operands, doubles));
+  std::erase_if(points, differs);
   return points;
 }
 
@@ -292,7 +316,7 @@ std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> op
       if (!have_equal_bits(doubles, source)) faults.add("vertex differs from its source vertex", v);
       continue;
     }
-    const std::vector<RationalPoint> points = exact_points_at(doubles, corners_of_sources(operands, round[v]));
+    const std::vector<RationalPoint> points = exact_points_at(doubles, corners_of_sources(operands, round[v]), operands);
     if (points.size() == 1) positions.back() = points[0];
     if (points.empty()) faults.add("made vertex is not the nearest double of a point its faces determine", v);
   }

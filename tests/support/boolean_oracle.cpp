@@ -348,15 +348,46 @@ std::optional<RationalPoint> first_common_point(const std::vector<Facet>& planes
   return std::nullopt;
 }
 
-std::vector<RationalPoint> edge_candidates(const std::vector<Facet>& facets) {
+std::vector<Facet> proper_facets(const std::vector<Corners>& faces) {
+  std::vector<Facet> facets;
+  for (const Corners& corners : faces) facets.push_back(make_facet(corners, 0));
+  std::erase_if(facets, [](const Facet& facet) { return is_zero(facet.plane.normal); });
+  return facets;
+}
+
+/// Corners in ascending order: the same for both faces of an edge.
+using Edge = std::array<Vec3d, 2>;
+
+bool passes_near(const Edge& edge, const Vec3d& vertex) {
+  const Vec3d along = edge[1] - edge[0], to = vertex - edge[0];
+  const Vec3d off = cross(along, to);
+  const double length_squared = dot(along, along), limit = 1e-6 * length_squared;
+  return dot(off, off) <= limit * limit && dot(to, along) >= -limit && dot(to, along) <= length_squared + limit;
+}
+
+std::vector<Edge> edges_near(const std::vector<Facet>& facets, const Vec3d& vertex) {
+  const auto less = [](const Vec3d& a, const Vec3d& b) { return std::array{a.x, a.y, a.z} < std::array{b.x, b.y, b.z}; };
+  std::vector<Edge> edges;
+  for (const Facet& facet : facets) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      Edge edge{facet.corners[i], facet.corners[(i + 1) % 3]};
+      if (less(edge[1], edge[0])) std::swap(edge[0], edge[1]);
+      if (passes_near(edge, vertex) && std::find(edges.begin(), edges.end(), edge) == edges.end()) edges.push_back(edge);
+    }
+  }
+  return edges;
+}
+
+std::vector<RationalPoint> edge_candidates(const std::vector<Facet>& facets, const Vec3d& vertex) {
+  const std::vector<Edge> edges = edges_near(facets, vertex);
   std::vector<RationalPoint> candidates;
-  for (const Facet& f : facets) {
-    for (const Facet& g : facets) {
-      for (std::size_t i = 0; i < 3; ++i) {
-        const RationalPoint &a = f.points[i], &b = f.points[(i + 1) % 3];
-        if (const auto p = line_through_plane(a, b, g.plane)) candidates.push_back(*p);
-      }
-      if (&f < &g && are_coplanar(f, g)) add_coplanar_crossings(f, g, candidates);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const RationalPoint a = exact(edges[i][0]), b = exact(edges[i][1]);
+    for (const Facet& facet : facets) {
+      if (const auto p = line_through_plane(a, b, facet.plane)) candidates.push_back(*p);
+    }
+    for (std::size_t j = i + 1; j < edges.size(); ++j) {
+      if (const auto p = crossing_of_lines(a, b, exact(edges[j][0]), exact(edges[j][1]))) candidates.push_back(*p);
     }
   }
   return candidates;
@@ -463,15 +494,15 @@ std::vector<MadePoint> made_points(std::span<const SurfaceMesh* const> operands,
   return round_once(std::move(points));
 }
 
-std::vector<RationalPoint> points_determined_by(const std::vector<Corners>& faces) {
-  std::vector<Facet> facets;
-  for (const Corners& corners : faces) facets.push_back(make_facet(corners, 0));
-  std::erase_if(facets, [](const Facet& facet) { return is_zero(facet.plane.normal); });
+std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::vector<Corners>& faces, const std::vector<Corners>& touching) {
+  const std::vector<Facet> facets = proper_facets(faces);
   std::vector<RationalPoint> candidates;
   if (const auto p = first_common_point(without_parallel(facets))) {
     candidates = {*p};
   } else {
-    candidates = edge_candidates(facets);
+    std::vector<Corners> all = faces;
+    all.insert(all.end(), touching.begin(), touching.end());
+    candidates = edge_candidates(proper_facets(all), vertex);
   }
   std::erase_if(candidates, [&](const RationalPoint& p) {
     return std::any_of(facets.begin(), facets.end(), [&](const Facet& facet) { return !facet.plane.height(p).is_zero(); });

@@ -58,7 +58,10 @@ struct MadePoint {
 [[nodiscard]] std::vector<MadePoint> made_points(std::span<const SurfaceMesh* const> operands, bool self = false);
 
 /// The only points that the faces meeting at a vertex allow: the common point of their planes where these determine it,
-/// otherwise the points where an edge of one of them crosses a plane, or a coplanar edge, of another. Exact duplicates once.
-[[nodiscard]] std::vector<RationalPoint> points_determined_by(const std::vector<Corners>& faces);
+/// otherwise the points of all their planes where an edge of one of them crosses a plane, or an edge, of another.
+/// Faces of `touching` may be crossed too, but the point need not lie on them. Edges that pass far from the vertex (a
+/// millionth of their length, in doubles) are left out to save time. Exact duplicates once.
+[[nodiscard]] std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::vector<Corners>& faces,
+                                                              const std::vector<Corners>& touching = {});
 
 }  // namespace mortise::oracle
