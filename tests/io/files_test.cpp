@@ -16,7 +16,7 @@ using namespace mortise::test;
 
 namespace {
 
-const char* const kScratchFile = "mortise_files_test.ply";
+const char* const scratch_file = "mortise_files_test.ply";
 
 bool skip_without_data() {
   if (data_folder()) return false;
@@ -27,17 +27,17 @@ bool skip_without_data() {
 /// Is there a row for this file in one of the tables of known files?
 bool is_known(const std::string& file) {
   const auto names_it = [&file](const auto& known) { return known.file == file; };
-  return std::any_of(kKnownMeshes.begin(), kKnownMeshes.end(), names_it) || std::any_of(kKnownErrors.begin(), kKnownErrors.end(), names_it);
+  return std::any_of(known_meshes.begin(), known_meshes.end(), names_it) || std::any_of(known_errors.begin(), known_errors.end(), names_it);
 }
 
 }  // namespace
 
 TEST_CASE("A mesh file is written and read back by its name") {
   const SurfaceMesh mesh = awkward_tetrahedron();
-  write_mesh_file(kScratchFile, mesh);
-  const SurfaceMesh back = read_mesh_file(kScratchFile);
-  CHECK(read_file(kScratchFile) == write_mesh(mesh, Format::PlyBinary));
-  std::remove(kScratchFile);
+  write_mesh_file(scratch_file, mesh);
+  const SurfaceMesh back = read_mesh_file(scratch_file);
+  CHECK(read_file(scratch_file) == write_mesh(mesh, Format::PlyBinary));
+  std::remove(scratch_file);
   CHECK(point_bits(back) == point_bits(mesh));
   CHECK(back.triangles == mesh.triangles);
 }
@@ -52,7 +52,7 @@ TEST_CASE("Files that cannot be opened are reported with their name") {
 
 TEST_CASE("Real meshes have the known numbers of vertices and triangles after the weld") {
   if (skip_without_data()) return;
-  for (const KnownMesh& known : kKnownMeshes) {
+  for (const KnownMesh& known : known_meshes) {
     CAPTURE(known.file);
     const SurfaceMesh mesh = read_data(known.file);
     CHECK(mesh.points.size() == known.vertices);
@@ -62,7 +62,7 @@ TEST_CASE("Real meshes have the known numbers of vertices and triangles after th
 
 TEST_CASE("Real files that are broken are refused with the line of the trouble") {
   if (skip_without_data()) return;
-  for (const KnownError& known : kKnownErrors) {
+  for (const KnownError& known : known_errors) {
     CAPTURE(known.file);
     const std::string stage = "read_" + known.file.substr(known.file.size() - 3);
     check_error(known.code, stage, IdKind::Line, known.line, [&] { return read_data(known.file); });

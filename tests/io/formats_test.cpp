@@ -15,12 +15,12 @@ using namespace mortise::test;
 
 namespace {
 
-constexpr std::array kAllFormats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
+constexpr std::array all_formats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
 
 }  // namespace
 
 TEST_CASE("Every format is told by its content, whatever the name says") {
-  for (const Format format : kAllFormats) {
+  for (const Format format : all_formats) {
     CAPTURE(format_name(format));
     const std::string bytes = write_mesh(float_tetrahedron(), format);
     CHECK(detect_format("", bytes) == format);
@@ -46,7 +46,7 @@ TEST_CASE("Without a hint in name or content the format is unknown") {
 }
 
 TEST_CASE("A mesh written in any format is read back bit for bit through one door") {
-  for (const Format format : kAllFormats) {
+  for (const Format format : all_formats) {
     CAPTURE(format_name(format));
     const SurfaceMesh mesh = is_float32_format(format) ? float_tetrahedron() : awkward_tetrahedron();
     CHECK(corner_bits(read_mesh(write_mesh(mesh, format), "")) == corner_bits(mesh));
@@ -54,11 +54,11 @@ TEST_CASE("A mesh written in any format is read back bit for bit through one doo
 }
 
 TEST_CASE("Only binary STL keeps coordinates as float32") {
-  for (const Format format : kAllFormats) CHECK(is_float32_format(format) == (format == Format::StlBinary));
+  for (const Format format : all_formats) CHECK(is_float32_format(format) == (format == Format::StlBinary));
 }
 
 TEST_CASE("A file cut off anywhere gives a mesh or an error that names a line or byte") {
-  for (const Format format : kAllFormats) {
+  for (const Format format : all_formats) {
     const std::string bytes = write_mesh(float_tetrahedron(), format);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       try {
@@ -80,7 +80,7 @@ TEST_CASE("A file with random damage gives a mesh with sound indices or a typed 
   std::mt19937_64 random(seed);
   std::size_t meshes = 0;
   std::size_t errors = 0;
-  for (const Format format : kAllFormats) {
+  for (const Format format : all_formats) {
     const std::string name = "mesh." + std::string(format_name(format)).substr(0, 3);
     const std::string sound = write_mesh(float_tetrahedron(), format);
     for (std::size_t i = 0; i < scaled_count(3000, 100000); ++i) {

@@ -17,7 +17,7 @@ struct KnownMesh {
   std::size_t triangles;
 };
 
-inline const std::vector<KnownMesh> kKnownMeshes = {
+inline const std::vector<KnownMesh> known_meshes = {
     {"primitives/fig05_cylinder_a.off", 2258, 4512},
     {"primitives/fig05_cylinder_b.off", 2054, 4104},
     {"primitives/fig25_torus.off", 864, 1728},
@@ -134,7 +134,7 @@ struct KnownError {
   std::uint32_t line;
 };
 
-inline const std::vector<KnownError> kKnownErrors = {
+inline const std::vector<KnownError> known_errors = {
     {"nasty/assimp_invalid.off", ErrorCode::ParseFailed, 6},          // a face of 0 corners
     {"nasty/assimp_malformed.obj", ErrorCode::BadIndex, 23},          // vertex 12 of 8
     {"nasty/assimp_malformed2.obj", ErrorCode::ParseFailed, 23},      // a face without corners

@@ -15,7 +15,7 @@ void check_obj_error(ErrorCode code, std::uint32_t line, std::string_view text) 
   check_error(code, "read_obj", IdKind::Line, line, [&] { return read_obj(text); });
 }
 
-const std::string kThreePoints = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
+const std::string three_points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
 
 }  // namespace
 
@@ -40,14 +40,14 @@ TEST_CASE("OBJ statements may be continued, indented, commented and end in CRLF 
 
 TEST_CASE("OBJ statements that carry no surface are read over") {
   const SurfaceMesh mesh =
-      read_obj("mtllib a b.mtl\ns off\nvp 0.5\n" + kThreePoints + "l 1 2\np 1\ncstype bezier\ncurv 0 1 1 2 \\\n3\nf 1 2 3");
+      read_obj("mtllib a b.mtl\ns off\nvp 0.5\n" + three_points + "l 1 2\np 1\ncstype bezier\ncurv 0 1 1 2 \\\n3\nf 1 2 3");
   CHECK(mesh.triangles.size() == 1);
 }
 
-TEST_CASE("A face may come before its vertices") { CHECK(read_obj("f 1 2 3\n" + kThreePoints).triangles.size() == 1); }
+TEST_CASE("A face may come before its vertices") { CHECK(read_obj("f 1 2 3\n" + three_points).triangles.size() == 1); }
 
 TEST_CASE("The label of an OBJ face is its group, else its object, else its material") {
-  const SurfaceMesh mesh = read_obj(kThreePoints +
+  const SurfaceMesh mesh = read_obj(three_points +
                                     "f 1 2 3\nusemtl steel\nf 1 2 3\no hull\nf 1 2 3\ng  deck   upper\nf 1 2 3\nusemtl wood\nf 1 2 3\n"
                                     "g\nf 1 2 3\ng deck upper\nf 1 2 3\no mast\nf 1 2 3\n");
   CHECK(face_names(mesh) == std::vector<std::string>{"", "steel", "hull", "deck upper", "deck upper", "hull", "deck upper", "mast"});
@@ -70,17 +70,17 @@ TEST_CASE("OBJ coordinates that are no numbers name their line") {
 }
 
 TEST_CASE("OBJ faces with bad indices name their line") {
-  check_obj_error(ErrorCode::BadIndex, 4, kThreePoints + "f 1 2 4\n");
-  check_obj_error(ErrorCode::BadIndex, 4, kThreePoints + "f 1 2 0\n");
-  check_obj_error(ErrorCode::BadIndex, 4, kThreePoints + "f 1 2 -4\nv 9 9 9\n");
-  check_obj_error(ErrorCode::BadIndex, 4, kThreePoints + "f 1 2 99999999999\n");
-  check_obj_error(ErrorCode::BadIndex, 5, kThreePoints + "f 1 2 3\nf 1 \\\n2 7\n");
+  check_obj_error(ErrorCode::BadIndex, 4, three_points + "f 1 2 4\n");
+  check_obj_error(ErrorCode::BadIndex, 4, three_points + "f 1 2 0\n");
+  check_obj_error(ErrorCode::BadIndex, 4, three_points + "f 1 2 -4\nv 9 9 9\n");
+  check_obj_error(ErrorCode::BadIndex, 4, three_points + "f 1 2 99999999999\n");
+  check_obj_error(ErrorCode::BadIndex, 5, three_points + "f 1 2 3\nf 1 \\\n2 7\n");
 }
 
 TEST_CASE("Malformed OBJ faces name their line") {
   for (const char* face :
        {"f", "f 1 2", "f 1 2 3x", "f 1 2 /3", "f 1 2 3/x", "f 1 2 3/1/1/1", "f 1 2 3.0", "f 1 2 nan", "f 1 2 99999999999999999999"}) {
-    check_obj_error(ErrorCode::ParseFailed, 4, kThreePoints + face + "\nf 1 2 3\n");
+    check_obj_error(ErrorCode::ParseFailed, 4, three_points + face + "\nf 1 2 3\n");
   }
 }
 

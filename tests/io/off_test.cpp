@@ -15,7 +15,7 @@ void check_off_error(ErrorCode code, std::uint32_t line, std::string_view text) 
   check_error(code, "read_off", IdKind::Line, line, [&] { return read_off(text); });
 }
 
-const std::string kVertices = "0 0 0\n1 0 0\n0 1 0\n";
+const std::string three_vertices = "0 0 0\n1 0 0\n0 1 0\n";
 
 }  // namespace
 
@@ -23,7 +23,7 @@ TEST_CASE("OFF headers in all their forms are read") {
   for (const char* header :
        {"OFF\n3 1 0\n", "OFF 3 1 3\n", "OFF # text\r\n# counts\r\n\r\n3 1\r\n", "3 1 0\n", "NOFF\n3 1 0\n", "STCNOFF 3 1 0\n"}) {
     CAPTURE(header);
-    const SurfaceMesh mesh = read_off(header + kVertices + "3 0 1 2\n");
+    const SurfaceMesh mesh = read_off(header + three_vertices + "3 0 1 2\n");
     CHECK(mesh.points == std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     CHECK(mesh.triangles == std::vector<Triangle>{triangle(0, 1, 2)});
   }
@@ -37,7 +37,7 @@ TEST_CASE("OFF colours behind vertices and faces are read over") {
 
 TEST_CASE("An OFF text without faces or without anything is a valid mesh") {
   CHECK(read_off("OFF\n0 0 0\n").points.empty());
-  CHECK(read_off("OFF 3 0 0\n" + kVertices).points.size() == 3);
+  CHECK(read_off("OFF 3 0 0\n" + three_vertices).points.size() == 3);
 }
 
 TEST_CASE("Bad OFF headers name their line") {
@@ -52,9 +52,9 @@ TEST_CASE("Bad OFF headers name their line") {
 }
 
 TEST_CASE("OFF counts that the text does not hold are an error, not an allocation") {
-  check_off_error(ErrorCode::ParseFailed, 5, "OFF\n4000000000 1 0\n" + kVertices);
-  check_off_error(ErrorCode::ParseFailed, 6, "OFF\n3 4000000000 0\n" + kVertices + "3 0 1 2\n");
-  check_off_error(ErrorCode::ParseFailed, 6, "OFF\n3 1 0\n" + kVertices + "4000000000 0 1 2\n");
+  check_off_error(ErrorCode::ParseFailed, 5, "OFF\n4000000000 1 0\n" + three_vertices);
+  check_off_error(ErrorCode::ParseFailed, 6, "OFF\n3 4000000000 0\n" + three_vertices + "3 0 1 2\n");
+  check_off_error(ErrorCode::ParseFailed, 6, "OFF\n3 1 0\n" + three_vertices + "4000000000 0 1 2\n");
 }
 
 TEST_CASE("Bad OFF vertices name their line") {
@@ -66,7 +66,7 @@ TEST_CASE("Bad OFF vertices name their line") {
 }
 
 TEST_CASE("Bad OFF faces name their line") {
-  const std::string head = "OFF\n3 2 0\n" + kVertices + "3 0 1 2\n";
+  const std::string head = "OFF\n3 2 0\n" + three_vertices + "3 0 1 2\n";
   check_off_error(ErrorCode::BadIndex, 7, head + "3 0 1 3\n");
   check_off_error(ErrorCode::BadIndex, 7, head + "3 -1 1 2\n");
   check_off_error(ErrorCode::ParseFailed, 7, head + "3 0 1\n");

@@ -12,10 +12,10 @@ using namespace mortise::test;
 
 namespace {
 
-const std::string kTail =
+const std::string header_tail =
     "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int "
     "vertex_indices\nend_header\n";
-const std::string kAscii = "ply\nformat ascii 1.0\n" + kTail;
+const std::string ascii_header = "ply\nformat ascii 1.0\n" + header_tail;
 
 void check_line(ErrorCode code, std::uint32_t line, std::string_view text) {
   CAPTURE(text);
@@ -135,17 +135,17 @@ TEST_CASE("PLY elements that cannot make a mesh are refused at the end of the he
 }
 
 TEST_CASE("Bad PLY text rows name their line") {
-  check_line(ErrorCode::ParseFailed, 10, kAscii + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_line(ErrorCode::ParseFailed, 11, kAscii + "0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n");
-  check_line(ErrorCode::NotFinite, 11, kAscii + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n");
-  check_line(ErrorCode::OutOfRange, 10, kAscii + "0 0 1e999\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_line(ErrorCode::ParseFailed, 10, kAscii + "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
-  check_line(ErrorCode::BadIndex, 13, kAscii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
-  check_line(ErrorCode::BadIndex, 13, kAscii + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n");
-  check_line(ErrorCode::ParseFailed, 13, kAscii + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n");
-  check_line(ErrorCode::ParseFailed, 13, kAscii + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n");
-  check_line(ErrorCode::ParseFailed, 13, kAscii + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n");
-  check_line(ErrorCode::ParseFailed, 12, kAscii + "0 0 0\n1 0 0\n0 1 0\n");
+  check_line(ErrorCode::ParseFailed, 10, ascii_header + "0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  check_line(ErrorCode::ParseFailed, 11, ascii_header + "0 0 0\n1 0 x\n0 1 0\n3 0 1 2\n");
+  check_line(ErrorCode::NotFinite, 11, ascii_header + "0 0 0\n1 0 nan\n0 1 0\n3 0 1 2\n");
+  check_line(ErrorCode::OutOfRange, 10, ascii_header + "0 0 1e999\n1 0 0\n0 1 0\n3 0 1 2\n");
+  check_line(ErrorCode::ParseFailed, 10, ascii_header + "0 0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n");
+  check_line(ErrorCode::BadIndex, 13, ascii_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n");
+  check_line(ErrorCode::BadIndex, 13, ascii_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n");
+  check_line(ErrorCode::ParseFailed, 13, ascii_header + "0 0 0\n1 0 0\n0 1 0\n2 0 1\n");
+  check_line(ErrorCode::ParseFailed, 13, ascii_header + "0 0 0\n1 0 0\n0 1 0\n3 0 1\n");
+  check_line(ErrorCode::ParseFailed, 13, ascii_header + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n");
+  check_line(ErrorCode::ParseFailed, 12, ascii_header + "0 0 0\n1 0 0\n0 1 0\n");
 }
 
 TEST_CASE("PLY counts that the file does not hold are an error, not an allocation") {
@@ -158,7 +158,7 @@ TEST_CASE("PLY counts that the file does not hold are an error, not an allocatio
 }
 
 TEST_CASE("Bad binary PLY rows name their byte") {
-  const std::string header = "ply\nformat binary_little_endian 1.0\n" + kTail;
+  const std::string header = "ply\nformat binary_little_endian 1.0\n" + header_tail;
   const auto at = static_cast<std::uint32_t>(header.size());
   std::string vertices(36, '\0');
   const std::string face("\x03\0\0\0\0\x01\0\0\0\x02\0\0\0", 13);

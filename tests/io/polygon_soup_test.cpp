@@ -20,7 +20,7 @@ PolygonSoup soup_of(std::vector<Vec3d> points, const std::vector<std::vector<std
   return soup;
 }
 
-const std::vector<Vec3d> kSquare = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+const std::vector<Vec3d> square_points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
 
 /// Twice the signed area of the triangles in the plane z = 0.
 double double_area(const SurfaceMesh& mesh) {
@@ -49,7 +49,7 @@ TEST_CASE("Equal positions are welded in order of first appearance, unused point
 }
 
 TEST_CASE("A polygon gives its triangles in place, each with the label of the polygon") {
-  PolygonSoup soup = soup_of(kSquare, {{0, 1, 2}, {0, 1, 2, 3}, {0, 2, 3}});
+  PolygonSoup soup = soup_of(square_points, {{0, 1, 2}, {0, 1, 2, 3}, {0, 2, 3}});
   soup.face_labels = {1, 0, 1};
   soup.label_names = {"square", "triangle"};
   const SurfaceMesh mesh = build_mesh(soup);
@@ -59,15 +59,16 @@ TEST_CASE("A polygon gives its triangles in place, each with the label of the po
 }
 
 TEST_CASE("A corner that repeats the one before is dropped from polygons, also across the end and after welding") {
-  CHECK(build_mesh(soup_of(kSquare, {{0, 0, 1, 2, 2, 3, 0}})).triangles.size() == 2);
+  CHECK(build_mesh(soup_of(square_points, {{0, 0, 1, 2, 2, 3, 0}})).triangles.size() == 2);
   CHECK(build_mesh(soup_of({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, {{0, 1, 2, 3}})).triangles ==
         std::vector<Triangle>{triangle(0, 1, 2)});
 }
 
 TEST_CASE("No face vanishes: degenerate triangles stay, degenerate polygons give one degenerate triangle") {
-  CHECK(build_mesh(soup_of(kSquare, {{0, 0, 1}, {2, 2, 2}})).triangles == std::vector<Triangle>{triangle(0, 0, 1), triangle(2, 2, 2)});
-  CHECK(build_mesh(soup_of(kSquare, {{0, 0, 1, 1}})).triangles == std::vector<Triangle>{triangle(0, 1, 1)});
-  CHECK(build_mesh(soup_of(kSquare, {{3, 3, 3, 3}})).triangles == std::vector<Triangle>{triangle(3, 3, 3)});
+  CHECK(build_mesh(soup_of(square_points, {{0, 0, 1}, {2, 2, 2}})).triangles ==
+        std::vector<Triangle>{triangle(0, 0, 1), triangle(2, 2, 2)});
+  CHECK(build_mesh(soup_of(square_points, {{0, 0, 1, 1}})).triangles == std::vector<Triangle>{triangle(0, 1, 1)});
+  CHECK(build_mesh(soup_of(square_points, {{3, 3, 3, 3}})).triangles == std::vector<Triangle>{triangle(3, 3, 3)});
 }
 
 TEST_CASE("Concave polygons are covered without overlap") {

@@ -12,7 +12,7 @@ using namespace mortise::test;
 
 namespace {
 
-const std::string kFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
+const std::string one_facet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
 
 void check_line(ErrorCode code, std::uint32_t line, std::string_view text) {
   CAPTURE(text);
@@ -34,7 +34,7 @@ std::string one_triangle(const std::string& header) {
 }  // namespace
 
 TEST_CASE("An STL text is read whatever its case, spacing and line ends") {
-  const SurfaceMesh plain = read_stl("solid\n" + kFacet + "endsolid\n");
+  const SurfaceMesh plain = read_stl("solid\n" + one_facet + "endsolid\n");
   CHECK(plain.points == std::vector<Vec3d>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
   CHECK(plain.triangles == std::vector<Triangle>{triangle(0, 1, 2)});
   CHECK(plain.face_labels.empty());
@@ -47,8 +47,8 @@ TEST_CASE("An STL text is read whatever its case, spacing and line ends") {
 
 TEST_CASE("Named solids become labels, solids of one name one label, empty solids none") {
   const SurfaceMesh mesh =
-      read_stl("solid inlet pipe \n" + kFacet + kFacet + "endsolid inlet pipe\nsolid empty\nendsolid empty\nsolid wall\n" + kFacet +
-               "endsolid wall\nsolid inlet  pipe\n" + kFacet + "endsolid\n");
+      read_stl("solid inlet pipe \n" + one_facet + one_facet + "endsolid inlet pipe\nsolid empty\nendsolid empty\nsolid wall\n" +
+               one_facet + "endsolid wall\nsolid inlet  pipe\n" + one_facet + "endsolid\n");
   CHECK(mesh.label_names == std::vector<std::string>{"inlet pipe", "wall"});
   CHECK(mesh.face_labels == std::vector<std::uint32_t>{0, 0, 1, 0});
   CHECK(mesh.points.size() == 3);
@@ -84,12 +84,12 @@ TEST_CASE("Malformed STL texts name their line") {
   check_line(ErrorCode::ParseFailed, 7,
              "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\nendloop\n");
   check_line(ErrorCode::ParseFailed, 6, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nendloop\n");
-  check_line(ErrorCode::ParseFailed, 9, "solid a\n" + kFacet + "facets\n");
-  check_line(ErrorCode::ParseFailed, 10, "solid a\n" + kFacet + "endsolid a\nfacet normal 0 0 1\n");
+  check_line(ErrorCode::ParseFailed, 9, "solid a\n" + one_facet + "facets\n");
+  check_line(ErrorCode::ParseFailed, 10, "solid a\n" + one_facet + "endsolid a\nfacet normal 0 0 1\n");
 }
 
 TEST_CASE("Truncated STL texts name their last line") {
-  check_line(ErrorCode::ParseFailed, 8, "solid a\n" + kFacet);
+  check_line(ErrorCode::ParseFailed, 8, "solid a\n" + one_facet);
   check_line(ErrorCode::ParseFailed, 4, "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0");
   check_line(ErrorCode::ParseFailed, 2, "solid a\nfacet normal 0");
   check_line(ErrorCode::ParseFailed, 1, "solid a");

@@ -57,12 +57,12 @@ int floor_log2_pow10(int e) { return (e * 1741647) >> 19; }
 int floor_log10_pow2(int e) { return (e * 1262611) >> 22; }
 int floor_log10_three_quarters_pow2(int e) { return (e * 1262611 - 524031) >> 22; }
 
-constexpr int kMinPower = -292;
-constexpr int kMaxPower = 324;
-constexpr std::size_t kLimbs = 27;  // 864 bits: 10^324 without its power of two needs 753, and 2^863 / 5^292 keeps 185
+constexpr int min_power = -292;
+constexpr int max_power = 324;
+constexpr std::size_t limb_count = 27;  // 864 bits: 10^324 without its power of two needs 753, and 2^863 / 5^292 keeps 185
 
 /// A natural number of 32-bit limbs, the lowest first: just enough to make the table of powers.
-using Limbs = std::array<std::uint32_t, kLimbs>;
+using Limbs = std::array<std::uint32_t, limb_count>;
 
 void multiply_by_5(Limbs& limbs) {
   std::uint64_t carry = 0;
@@ -75,7 +75,7 @@ void multiply_by_5(Limbs& limbs) {
 
 void divide_by_5(Limbs& limbs) {
   std::uint64_t rest = 0;
-  for (std::size_t i = kLimbs; i-- > 0;) {
+  for (std::size_t i = limb_count; i-- > 0;) {
     rest = (rest << 32) | limbs[i];
     limbs[i] = static_cast<std::uint32_t>(rest / 5);
     rest %= 5;
@@ -83,7 +83,7 @@ void divide_by_5(Limbs& limbs) {
 }
 
 int bit_length(const Limbs& limbs) {
-  std::size_t top = kLimbs;
+  std::size_t top = limb_count;
   while (limbs[top - 1] == 0) --top;
   return static_cast<int>(top) * 32 - std::countl_zero(limbs[top - 1]);
 }
@@ -100,17 +100,17 @@ Uint128 leading_bits(const Limbs& limbs, bool inexact) {
   return leading + (rounds_up ? 1 : 0);
 }
 
-using PowerTable = std::array<Uint128, static_cast<std::size_t>(kMaxPower - kMinPower + 1)>;
+using PowerTable = std::array<Uint128, static_cast<std::size_t>(max_power - min_power + 1)>;
 
 /// 10^k for every k a double needs, as 128 bits with the top bit set, rounded up. Floors of repeated division by 5 are exact.
 PowerTable make_powers_of_10() {
   PowerTable table{};
-  const auto entry = [&table](int k) -> Uint128& { return table[static_cast<std::size_t>(k - kMinPower)]; };
+  const auto entry = [&table](int k) -> Uint128& { return table[static_cast<std::size_t>(k - min_power)]; };
   Limbs power{1};
-  for (int k = 0; k <= kMaxPower; ++k, multiply_by_5(power)) entry(k) = leading_bits(power, false);
+  for (int k = 0; k <= max_power; ++k, multiply_by_5(power)) entry(k) = leading_bits(power, false);
   Limbs inverse{};
-  inverse[kLimbs - 1] = 1U << 31;
-  for (int k = -1; k >= kMinPower; --k) {
+  inverse[limb_count - 1] = 1U << 31;
+  for (int k = -1; k >= min_power; --k) {
     divide_by_5(inverse);
     entry(k) = leading_bits(inverse, true);
   }
@@ -119,7 +119,7 @@ PowerTable make_powers_of_10() {
 
 Uint128 power_of_10(int k) {
   static const PowerTable table = make_powers_of_10();
-  return table[static_cast<std::size_t>(k - kMinPower)];
+  return table[static_cast<std::size_t>(k - min_power)];
 }
 
 /// The upper 64 of the 192 bits of power * factor, the lowest bit set when the cut bits were not zero (up to the rounding of power).
@@ -199,18 +199,18 @@ bool append_special(std::string& text, bool is_negative, bool is_zero, bool is_f
   return is_zero || !is_finite;
 }
 
-/// Appends a float or double from its bits: `kFraction` stored bits of significand, exponent offset `kBias`.
-template <class Bits, int kFraction, int kBias>
+/// Appends a float or double from its bits: `fraction_bits` stored bits of significand, exponent offset `exponent_bias`.
+template <class Bits, int fraction_bits, int exponent_bias>
 void append_bits(std::string& text, Bits bits) {
-  constexpr Bits kHidden = Bits{1} << kFraction;
-  constexpr Bits kTopExponent = (std::numeric_limits<Bits>::max() >> 1) >> kFraction;
-  const Bits fraction = bits & (kHidden - 1);
-  const Bits exponent = (bits >> kFraction) & kTopExponent;
+  constexpr Bits hidden_bit = Bits{1} << fraction_bits;
+  constexpr Bits top_exponent = (std::numeric_limits<Bits>::max() >> 1) >> fraction_bits;
+  const Bits fraction = bits & (hidden_bit - 1);
+  const Bits exponent = (bits >> fraction_bits) & top_exponent;
   const bool is_negative = (bits >> (std::numeric_limits<Bits>::digits - 1)) != 0;
-  const bool is_finite = exponent != kTopExponent;
+  const bool is_finite = exponent != top_exponent;
   if (append_special(text, is_negative, exponent == 0 && fraction == 0, is_finite, !is_finite && fraction != 0)) return;
-  const std::uint64_t significand = exponent != 0 ? (fraction | kHidden) : fraction;
-  const int power = static_cast<int>(exponent != 0 ? exponent : 1) - kBias - kFraction;
+  const std::uint64_t significand = exponent != 0 ? (fraction | hidden_bit) : fraction;
+  const int power = static_cast<int>(exponent != 0 ? exponent : 1) - exponent_bias - fraction_bits;
   append_decimal(text, shortest_decimal({significand, power, fraction == 0 && exponent > 1}));
 }
 

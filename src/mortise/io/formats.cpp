@@ -16,10 +16,10 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kStage = "detect_format";
-constexpr std::size_t kProbeSize = 1024;
+constexpr std::string_view stage_name = "detect_format";
+constexpr std::size_t probe_size = 1024;
 
-constexpr std::array kFormats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
+constexpr std::array all_formats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
 
 std::string_view extension(std::string_view path) {
   const std::size_t dot = path.find_last_of("./\\");
@@ -27,7 +27,7 @@ std::string_view extension(std::string_view path) {
 }
 
 std::string_view first_word(std::string_view bytes) {
-  LineReader lines(bytes.substr(0, kProbeSize), kStage);
+  LineReader lines(bytes.substr(0, probe_size), stage_name);
   if (!lines.next_content()) return {};
   std::string_view rest = lines.line();
   return take_word(rest);
@@ -44,7 +44,7 @@ bool is_obj_keyword(std::string_view word) {
 
 /// Looks for the format with this extension; false when there is none.
 bool find_by_extension(std::string_view path, Format& format) {
-  for (const Format candidate : kFormats) {
+  for (const Format candidate : all_formats) {
     if (!equals_ignoring_case(extension(path), format_name(candidate))) continue;
     format = candidate;
     return true;
@@ -73,7 +73,7 @@ std::string_view format_name(Format format) {
 }
 
 Format format_from_name(std::string_view name) {
-  for (const Format format : kFormats) {
+  for (const Format format : all_formats) {
     if (name == format_name(format)) return format;
   }
   throw Error(ErrorCode::UnknownFormat, "format_from_name", "the formats are obj, off, ply, ply-ascii, stl and stl-ascii");
@@ -94,7 +94,7 @@ Format detect_format(std::string_view name, std::string_view bytes) {
   Format format{};
   if (find_by_extension(name, format)) return format;
   if (is_obj_keyword(word)) return Format::Obj;
-  throw Error(ErrorCode::UnknownFormat, kStage, "neither the name nor the content tells one of the formats obj, off, ply and stl");
+  throw Error(ErrorCode::UnknownFormat, stage_name, "neither the name nor the content tells one of the formats obj, off, ply and stl");
 }
 
 bool is_float32_format(Format format) { return format == Format::StlBinary; }

@@ -13,7 +13,7 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kStage = "read_obj";
+constexpr std::string_view stage_name = "read_obj";
 
 /// Where a face stands, to resolve its relative indices and to name it in errors.
 struct FacePlace {
@@ -98,7 +98,7 @@ void read_face(LineReader& lines, std::string_view rest, Statements& statements)
 /// The first pass over the text.
 Statements read_statements(std::string_view text) {
   Statements statements;
-  LineReader lines(text, kStage);
+  LineReader lines(text, stage_name);
   std::uint32_t unknown_line = 0;
   bool is_obj = false;
   while (lines.next()) {
@@ -118,12 +118,12 @@ Statements read_statements(std::string_view text) {
     is_obj = true;
   }
   if (!is_obj && unknown_line != 0)
-    fail_at_line(ErrorCode::ParseFailed, {kStage, unknown_line}, "this is not a statement of the OBJ format");
+    fail_at_line(ErrorCode::ParseFailed, {stage_name, unknown_line}, "this is not a statement of the OBJ format");
   return statements;
 }
 
 std::uint32_t resolve_index(int index, const FacePlace& face, std::size_t point_count) {
-  const TextPlace place{kStage, face.line};
+  const TextPlace place{stage_name, face.line};
   if (index == 0) fail_at_line(ErrorCode::BadIndex, place, "the face names vertex 0 (the first is 1)");
   const std::int64_t resolved = index > 0 ? std::int64_t{index} - 1 : std::int64_t{face.points_before} + index;
   if (resolved < 0 || resolved >= static_cast<std::int64_t>(point_count)) {

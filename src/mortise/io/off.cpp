@@ -10,7 +10,7 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kStage = "read_off";
+constexpr std::string_view stage_name = "read_off";
 
 struct Counts {
   std::uint32_t vertices;
@@ -77,7 +77,7 @@ void read_face(LineReader& lines, std::uint32_t vertex_count, PolygonSoup& soup)
 }  // namespace
 
 SurfaceMesh read_off(std::string_view text) {
-  LineReader lines(text, kStage);
+  LineReader lines(text, stage_name);
   const Counts counts = read_counts(lines);
   PolygonSoup soup;
   soup.points.reserve(believable_count(counts.vertices, text.size() - lines.offset(), 6));

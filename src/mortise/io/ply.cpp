@@ -14,7 +14,7 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kStage = "read_ply";
+constexpr std::string_view stage_name = "read_ply";
 
 /// What a column means to a mesh.
 enum class Role : unsigned char { None, X, Y, Z, Corners };
@@ -59,7 +59,7 @@ Table make_table(const PlyElement& element, const TextPlace& header_end) {
 }
 
 std::vector<Table> make_tables(const PlyHeader& header) {
-  const TextPlace header_end{kStage, header.line_count};
+  const TextPlace header_end{stage_name, header.line_count};
   std::vector<Table> tables;
   for (const PlyElement& element : header.elements) {
     for (const Table& earlier : tables) {
@@ -81,14 +81,14 @@ std::string bad_index_message(std::int64_t index, std::uint32_t vertices) {
   return "the face names vertex " + std::to_string(index) + " of " + std::to_string(vertices) + " (the first is 0)";
 }
 
-constexpr std::string_view kTooFewCorners = "a face needs at least three corners";
+constexpr std::string_view too_few_corners = "a face needs at least three corners";
 
 // ---- Text rows ------------------------------------------------------------------------------------------------------
 
 class TextRows {
  public:
   TextRows(std::string_view rows, const PlyHeader& header)
-      : lines_(rows, kStage), header_lines_(header.line_count), vertices_(vertex_count(header)) {}
+      : lines_(rows, stage_name), header_lines_(header.line_count), vertices_(vertex_count(header)) {}
 
   void read_row(const Table& table, PolygonSoup& soup) {
     if (!next_row()) fail_at_line(ErrorCode::ParseFailed, place(), "the file ends before its last element");
@@ -107,7 +107,7 @@ class TextRows {
     return false;
   }
 
-  [[nodiscard]] TextPlace place() const { return {kStage, header_lines_ + lines_.place().line}; }
+  [[nodiscard]] TextPlace place() const { return {stage_name, header_lines_ + lines_.place().line}; }
 
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(soup);
@@ -123,7 +123,7 @@ class TextRows {
 
   void read_corners(PolygonSoup& soup) {
     const std::uint32_t count = read_count(take_word(rest_), place(), "the number of corners");
-    if (count < 3) fail_at_line(ErrorCode::ParseFailed, place(), std::string(kTooFewCorners));
+    if (count < 3) fail_at_line(ErrorCode::ParseFailed, place(), std::string(too_few_corners));
     for (std::uint32_t i = 0; i < count; ++i) {
       const std::int64_t index = read_integer(take_word(rest_), place(), "a vertex index");
       if (index < 0 || index >= vertices_) fail_at_line(ErrorCode::BadIndex, place(), bad_index_message(index, vertices_));
@@ -161,7 +161,7 @@ class BinaryRows {
       const std::size_t at = offset_;
       const double value = take_value(property.type);
       if (!(std::fabs(value) <= std::numeric_limits<double>::max()))
-        fail_at_byte(ErrorCode::NotFinite, kStage, at, "a coordinate is not finite");
+        fail_at_byte(ErrorCode::NotFinite, stage_name, at, "a coordinate is not finite");
       point[static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X)] = value;
       return;
     }
@@ -172,11 +172,11 @@ class BinaryRows {
   void read_corners(const PlyProperty& property, PolygonSoup& soup) {
     const std::size_t start = offset_;
     const std::uint64_t count = take_length(property.count_type);
-    if (count < 3) fail_at_byte(ErrorCode::ParseFailed, kStage, start, std::string(kTooFewCorners));
+    if (count < 3) fail_at_byte(ErrorCode::ParseFailed, stage_name, start, std::string(too_few_corners));
     for (std::uint64_t i = 0; i < count; ++i) {
       const std::size_t at = offset_;
       const std::int64_t index = take_integer(property.type);
-      if (index < 0 || index >= vertices_) fail_at_byte(ErrorCode::BadIndex, kStage, at, bad_index_message(index, vertices_));
+      if (index < 0 || index >= vertices_) fail_at_byte(ErrorCode::BadIndex, stage_name, at, bad_index_message(index, vertices_));
       soup.corners.push_back(static_cast<std::uint32_t>(index));
     }
     soup.end_face();
@@ -184,7 +184,7 @@ class BinaryRows {
 
   void skip(std::uint64_t size) {
     if (size > bytes_.size() - offset_)
-      fail_at_byte(ErrorCode::ParseFailed, kStage, bytes_.size(), "the file ends before its last element");
+      fail_at_byte(ErrorCode::ParseFailed, stage_name, bytes_.size(), "the file ends before its last element");
     offset_ += static_cast<std::size_t>(size);
   }
 
@@ -221,7 +221,7 @@ class BinaryRows {
   std::uint64_t take_length(PlyType type) {
     const std::size_t at = offset_;
     const std::int64_t length = take_integer(type);
-    if (length < 0) fail_at_byte(ErrorCode::ParseFailed, kStage, at, "the length of a list is negative");
+    if (length < 0) fail_at_byte(ErrorCode::ParseFailed, stage_name, at, "the length of a list is negative");
     return static_cast<std::uint64_t>(length);
   }
 
@@ -264,7 +264,7 @@ SurfaceMesh read_ply(std::string_view bytes) {
 }
 
 bool is_ascii_ply(std::string_view bytes) {
-  LineReader lines(bytes, kStage);
+  LineReader lines(bytes, stage_name);
   while (lines.next() && trim(lines.line()) != "end_header") {
     std::string_view rest = lines.line();
     if (take_word(rest) == "format") return take_word(rest) == "ascii";

@@ -12,10 +12,10 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kStage = "read_ply";
+constexpr std::string_view stage_name = "read_ply";
 
 using TypeName = std::pair<std::string_view, PlyType>;
-constexpr std::array<TypeName, 16> kTypeNames{{{"char", PlyType::Int8},
+constexpr std::array<TypeName, 16> type_names{{{"char", PlyType::Int8},
                                                {"int8", PlyType::Int8},
                                                {"uchar", PlyType::Uint8},
                                                {"uint8", PlyType::Uint8},
@@ -33,8 +33,8 @@ constexpr std::array<TypeName, 16> kTypeNames{{{"char", PlyType::Int8},
                                                {"float64", PlyType::Float64}}};
 
 PlyType read_type(std::string_view word, const TextPlace& place) {
-  const auto known = std::find_if(kTypeNames.begin(), kTypeNames.end(), [word](const TypeName& entry) { return entry.first == word; });
-  if (known == kTypeNames.end()) fail_at_line(ErrorCode::ParseFailed, place, "the property has no type this format knows");
+  const auto known = std::find_if(type_names.begin(), type_names.end(), [word](const TypeName& entry) { return entry.first == word; });
+  if (known == type_names.end()) fail_at_line(ErrorCode::ParseFailed, place, "the property has no type this format knows");
   return known->second;
 }
 
@@ -125,8 +125,9 @@ bool has_ply_magic(std::string_view bytes) {
 }
 
 PlyHeader read_ply_header(std::string_view bytes) {
-  LineReader lines(bytes, kStage);
-  if (!lines.next() || !has_ply_magic(bytes)) fail_at_line(ErrorCode::ParseFailed, {kStage, 1}, "a PLY file begins with the line 'ply'");
+  LineReader lines(bytes, stage_name);
+  if (!lines.next() || !has_ply_magic(bytes))
+    fail_at_line(ErrorCode::ParseFailed, {stage_name, 1}, "a PLY file begins with the line 'ply'");
   PlyHeader header;
   bool has_format = false;
   do {

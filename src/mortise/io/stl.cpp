@@ -15,20 +15,20 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kReadStage = "read_stl";
-constexpr std::string_view kWriteStage = "write_stl";
-constexpr std::size_t kHeaderSize = 80;
-constexpr std::size_t kPreambleSize = 84;
-constexpr std::size_t kNormalSize = 12;
-constexpr std::size_t kRecordSize = 50;
-constexpr std::size_t kProbeSize = 1024;
+constexpr std::string_view read_stage = "read_stl";
+constexpr std::string_view write_stage = "write_stl";
+constexpr std::size_t header_size = 80;
+constexpr std::size_t preamble_size = 84;
+constexpr std::size_t normal_size = 12;
+constexpr std::size_t record_size = 50;
+constexpr std::size_t probe_size = 1024;
 
 // ---- Text -----------------------------------------------------------------------------------------------------------
 
 /// Hands out the words of a text across its lines.
 class WordReader {
  public:
-  explicit WordReader(std::string_view text) : lines_(text, kReadStage) {}
+  explicit WordReader(std::string_view text) : lines_(text, read_stage) {}
 
   /// The next word; empty at the end of the text.
   std::string_view next() {
@@ -123,7 +123,7 @@ SurfaceMesh read_ascii(std::string_view text) {
 
 // ---- Binary ---------------------------------------------------------------------------------------------------------
 
-std::uint64_t size_of_triangles(std::uint32_t count) { return kPreambleSize + std::uint64_t{count} * kRecordSize; }
+std::uint64_t size_of_triangles(std::uint32_t count) { return preamble_size + std::uint64_t{count} * record_size; }
 
 Vec3d load_point(std::string_view bytes, std::size_t offset) {
   Vec3d point;
@@ -131,19 +131,19 @@ Vec3d load_point(std::string_view bytes, std::size_t offset) {
     const std::size_t at = offset + i * sizeof(float);
     const auto value = load_number<float>(bytes, at, ByteOrder::Little);
     if (!(std::fabs(value) <= std::numeric_limits<float>::max()))
-      fail_at_byte(ErrorCode::NotFinite, kReadStage, at, "a coordinate is not finite");
+      fail_at_byte(ErrorCode::NotFinite, read_stage, at, "a coordinate is not finite");
     point[i] = value;
   }
   return point;
 }
 
 std::uint32_t load_triangle_count(std::string_view bytes) {
-  if (bytes.size() < kPreambleSize) {
-    fail_at_byte(ErrorCode::ParseFailed, kReadStage, bytes.size(), "the file is neither an STL text nor as long as a binary STL header");
+  if (bytes.size() < preamble_size) {
+    fail_at_byte(ErrorCode::ParseFailed, read_stage, bytes.size(), "the file is neither an STL text nor as long as a binary STL header");
   }
-  const auto count = load_number<std::uint32_t>(bytes, kHeaderSize, ByteOrder::Little);
+  const auto count = load_number<std::uint32_t>(bytes, header_size, ByteOrder::Little);
   if (size_of_triangles(count) != bytes.size()) {
-    fail_at_byte(ErrorCode::ParseFailed, kReadStage, kHeaderSize,
+    fail_at_byte(ErrorCode::ParseFailed, read_stage, header_size,
                  "the header promises " + std::to_string(count) + " triangles, which is a file of " +
                      std::to_string(size_of_triangles(count)) + " bytes, but this one has " + std::to_string(bytes.size()));
   }
@@ -157,10 +157,10 @@ SurfaceMesh read_binary(std::string_view bytes) {
   soup.corners.reserve(std::size_t{count} * 3);
   soup.face_ends.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::size_t record = kPreambleSize + i * kRecordSize + kNormalSize;
+    const std::size_t record = preamble_size + i * record_size + normal_size;
     for (std::size_t corner = 0; corner < 3; ++corner) {
       soup.corners.push_back(static_cast<std::uint32_t>(soup.points.size()));
-      soup.points.push_back(load_point(bytes, record + corner * kNormalSize));
+      soup.points.push_back(load_point(bytes, record + corner * normal_size));
     }
     soup.end_face();
   }
@@ -205,7 +205,7 @@ void append_float_point(std::string& bytes, const SurfaceMesh& mesh, VertexId ve
     const double value = mesh.points[vertex.index()][i];
     const bool fits = std::fabs(value) < 0x1.ffffffp127;  // half a unit above the largest float
     if (!fits)
-      throw Error(ErrorCode::OutOfRange, kWriteStage, "a coordinate does not fit a float").with_ids(IdKind::Vertices, {vertex.value});
+      throw Error(ErrorCode::OutOfRange, write_stage, "a coordinate does not fit a float").with_ids(IdKind::Vertices, {vertex.value});
     append_little_endian(bytes, static_cast<float>(value));
   }
 }
@@ -213,12 +213,12 @@ void append_float_point(std::string& bytes, const SurfaceMesh& mesh, VertexId ve
 }  // namespace
 
 bool is_binary_stl(std::string_view bytes) {
-  return bytes.size() >= kPreambleSize &&
-         size_of_triangles(load_number<std::uint32_t>(bytes, kHeaderSize, ByteOrder::Little)) == bytes.size();
+  return bytes.size() >= preamble_size &&
+         size_of_triangles(load_number<std::uint32_t>(bytes, header_size, ByteOrder::Little)) == bytes.size();
 }
 
 bool is_ascii_stl(std::string_view bytes) {
-  WordReader words(bytes.substr(0, kProbeSize));
+  WordReader words(bytes.substr(0, probe_size));
   if (!equals_ignoring_case(words.next(), "solid")) return false;
   static_cast<void>(words.rest_of_line());
   const std::string_view word = words.next();
@@ -227,7 +227,7 @@ bool is_ascii_stl(std::string_view bytes) {
 
 SurfaceMesh read_stl(std::string_view bytes) {
   if (is_binary_stl(bytes)) return read_binary(bytes);
-  WordReader words(bytes.substr(0, kProbeSize));
+  WordReader words(bytes.substr(0, probe_size));
   return equals_ignoring_case(words.next(), "solid") && bytes.find('\0') == std::string_view::npos ? read_ascii(bytes) : read_binary(bytes);
 }
 
@@ -246,8 +246,8 @@ std::string write_stl_ascii(const SurfaceMesh& mesh) {
 
 std::string write_stl_binary(const SurfaceMesh& mesh) {
   std::string bytes = "Mortise binary STL";
-  bytes.resize(kHeaderSize, ' ');
-  bytes.reserve(kPreambleSize + mesh.triangles.size() * kRecordSize);
+  bytes.resize(header_size, ' ');
+  bytes.reserve(preamble_size + mesh.triangles.size() * record_size);
   append_little_endian(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
   for (const Triangle& triangle : mesh.triangles) {
     for (const float value : unit_normal(mesh, triangle)) append_little_endian(bytes, value);

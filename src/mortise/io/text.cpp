@@ -11,15 +11,15 @@
 namespace mortise {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\v\f";
-constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-constexpr std::size_t kQuotedLength = 40;
+constexpr std::string_view blanks = " \t\v\f";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+constexpr std::size_t quoted_length = 40;
 
 /// A word from a file as it may stand in a message: short, printable.
 std::string quote(std::string_view word) {
   std::string text = "'";
-  for (const char c : word.substr(0, kQuotedLength)) text += c >= ' ' && c <= '~' ? c : '?';
-  return text + (word.size() > kQuotedLength ? "...'" : "'");
+  for (const char c : word.substr(0, quoted_length)) text += c >= ' ' && c <= '~' ? c : '?';
+  return text + (word.size() > quoted_length ? "...'" : "'");
 }
 
 }  // namespace
@@ -34,7 +34,7 @@ void fail_at_byte(ErrorCode code, std::string_view stage, std::size_t offset, co
 }
 
 LineReader::LineReader(std::string_view text, std::string_view stage) : text_(text), place_{stage, 0} {
-  if (text.substr(0, kByteOrderMark.size()) == kByteOrderMark) offset_ = kByteOrderMark.size();
+  if (text.substr(0, byte_order_mark.size()) == byte_order_mark) offset_ = byte_order_mark.size();
 }
 
 bool LineReader::next() {
@@ -68,9 +68,9 @@ std::string_view take_word(std::string_view& rest) {
 }
 
 std::string_view trim(std::string_view text) {
-  const std::size_t begin = text.find_first_not_of(kBlanks);
+  const std::size_t begin = text.find_first_not_of(blanks);
   if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+  return text.substr(begin, text.find_last_not_of(blanks) - begin + 1);
 }
 
 std::string_view cut_comment(std::string_view text) { return text.substr(0, text.find('#')); }
