@@ -30,10 +30,13 @@ class SeedFinder {
     find_extreme_points();
     collect_facets_at_extremes();
     std::vector<Seed> seeds;
-    for (std::size_t i = 0; i < extremes_.size(); ++i) {
-      const auto begin = facets_at_extreme_.begin() + first_at_extreme_[i];
-      const auto end = facets_at_extreme_.begin() + first_at_extreme_[i + 1];
-      seeds.push_back({region_outside(extremes_[i], {begin, end}), windings_at(extremes_[i], static_cast<std::uint32_t>(i))});
+    for (std::uint32_t i = 0; i < complex_count_; ++i) {
+      const std::span<const FacetId> incident(facets_at_extreme_.begin() + first_at_extreme_[i],
+                                              facets_at_extreme_.begin() + first_at_extreme_[i + 1]);
+      SourceId face;
+      const PointId v = extremes_[i];
+      const PointId w = lowest_edge(v, incident, face);
+      seeds.push_back({region_outside(v, w, face, incident), windings_at(v, w, i)});
     }
     return seeds;
   }
@@ -120,9 +123,7 @@ class SeedFinder {
     MORTISE_CHECK(false, "edge " + std::to_string(v.value) + "-" + std::to_string(w.value));
   }
 
-  RegionId region_outside(PointId v, std::span<const FacetId> incident) const {
-    SourceId face;
-    const PointId w = lowest_edge(v, incident, face);
+  RegionId region_outside(PointId v, PointId w, SourceId face, std::span<const FacetId> incident) const {
     const PointId p = first_point_on_edge(v, w, face, incident);
     std::vector<FacetAtEdge> around;
     for (const FacetId f : incident) {
@@ -134,39 +135,47 @@ class SeedFinder {
     return first.is_front_after() ? patches_.back[patch] : patches_.front[patch];
   }
 
-  // Is the point, moved by (epsilon, epsilon^2) in (y, z), left of a -> b in that projection?
-  static Sign perturbed_turn(const Vec3d& a, const Vec3d& b, const Vec3d& p) {
-    const Sign turn = orient2d(a, b, p, Axis::X);
+  // A point next to `at` on the way to `towards`, moved by a still smaller (epsilon, epsilon^2) in (y, z).
+  struct RayStart {
+    Vec3d at, towards;
+  };
+
+  // Is the start left of a -> b in the projection along x?
+  static Sign turn_at(const Vec3d& a, const Vec3d& b, const RayStart& start) {
+    const Sign turn = orient2d(a, b, start.at, Axis::X);
     if (turn != Sign::Zero) return turn;
+    const Sign next = orient2d(a, b, start.towards, Axis::X);
+    if (next != Sign::Zero) return next;
     if (a.z != b.z) return a.z > b.z ? Sign::Positive : Sign::Negative;
     return a.y < b.y ? Sign::Positive : Sign::Negative;
   }
 
-  // How much the winding grows across a face on the way from -x infinity to p.
-  int crossing_before(SourceId f, const Vec3d& p) const {
+  // How much the winding grows across a face on the way from -x infinity to the start.
+  int crossing_before(SourceId f, const RayStart& start) const {
     const Vec3d& a = faces_.corner_position(f, 0);
     const Vec3d& b = faces_.corner_position(f, 1);
     const Vec3d& c = faces_.corner_position(f, 2);
     const Sign turn = orient2d(a, b, c, Axis::X);
     if (turn == Sign::Zero) return 0;
-    if (perturbed_turn(a, b, p) != turn || perturbed_turn(b, c, p) != turn || perturbed_turn(c, a, p) != turn) return 0;
-    if (orient3d(a, b, c, p) != turn) return 0;  // the face lies beyond p, or contains it
+    if (turn_at(a, b, start) != turn || turn_at(b, c, start) != turn || turn_at(c, a, start) != turn) return 0;
+    const Sign side = orient3d(a, b, c, start.at);
+    if ((side != Sign::Zero ? side : orient3d(a, b, c, start.towards)) != turn) return 0;  // the face lies beyond the start
     return -static_cast<int>(turn);
   }
 
-  std::vector<int> windings_at(PointId v, std::uint32_t own) const {
+  std::vector<int> windings_at(PointId v, PointId w, std::uint32_t own) const {
     constexpr double infinity = std::numeric_limits<double>::infinity();
-    const Vec3d& p = faces_.points.nearest(v);
+    const RayStart start{faces_.points.nearest(v), faces_.points.nearest(w)};
     Box3 ray;
-    ray.lo = {-infinity, p.y, p.z};
-    ray.hi = p;
+    ray.lo = {-infinity, start.at.y, start.at.z};
+    ray.hi = start.at;
     std::vector<int> winding(faces_.operand_count(), 0);
     for (std::size_t k = 0; k < winding.size(); ++k) {
       const OperandId operand(k);
       faces_.trees[operand].for_each_meeting(ray, [&](std::uint32_t i) {
         const SourceId f(faces_.first[operand] + i);
         if (faces_.shape[f] != FaceShape::Proper || complex_of_face_[f] == own) return;
-        winding[k] += crossing_before(f, p);
+        winding[k] += crossing_before(f, start);
       });
     }
     return winding;
