@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Lengths, areas, volumes and angles: scaled by a power of two, summed in double-double about the centre of the box.
+// Lengths, areas, volumes and angles: scaled by powers of two, summed in double-double about the centre of the box.
 #include "mortise/mesh/measures.h"
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 
 #include "mortise/base/trig.h"
 #include "mortise/exact/double_double.h"
@@ -46,6 +45,12 @@ Vec3dd scale(const Vec3dd& p, int exponent) {
   return scaled;
 }
 
+double length_of(const Vec3dd& p) {
+  const int exponent = exponent_of(largest_size(p));
+  const Vec3dd scaled = scale(p, -exponent);
+  return std::ldexp(std::sqrt(dot_of_rounded(scaled, scaled)), exponent);
+}
+
 /// The shape of a triangle, its longest side about 1.
 struct TriangleShape {
   Vec3dd ab, ac;
@@ -62,8 +67,7 @@ TriangleShape shape_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const int inner = exponent_of(std::max(largest_size(ab), largest_size(ac)));
   shape.ab = scale(ab, -inner);
   shape.ac = scale(ac, -inner);
-  const Vec3dd normal = cross(shape.ab, shape.ac);
-  shape.twice_area = std::sqrt(dot_of_rounded(normal, normal));
+  shape.twice_area = length_of(cross(shape.ab, shape.ac));
   shape.exponent = outer + inner;
   return shape;
 }
@@ -117,15 +121,25 @@ double surface_area(const SurfaceMesh& mesh) {
 double enclosed_volume(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return 0;
   const Box3 box = bounding_box(mesh);
-  const int exponent = exponent_of(std::max(largest_size(box.lo), largest_size(box.hi)));
-  const Vec3d centre = 0.5 * (scale(box.lo, -exponent) + scale(box.hi, -exponent));
+  std::array<int, 3> exponents{};
+  Vec3d centre;
+  for (std::size_t i = 0; i < 3; ++i) {
+    exponents[i] = exponent_of(std::max(std::fabs(box.lo[i]), std::fabs(box.hi[i])));
+    centre[i] = 0.5 * (std::ldexp(box.lo[i], -exponents[i]) + std::ldexp(box.hi[i], -exponents[i]));
+  }
+  const auto from_centre = [&](const Vec3d& p) {
+    Vec3dd scaled;
+    for (std::size_t i = 0; i < 3; ++i) scaled[i] = DoubleDouble::difference(std::ldexp(p[i], -exponents[i]), centre[i]);
+    return scaled;
+  };
   DoubleDouble six_volumes;
   for (const Triangle& t : mesh.triangles) {
-    std::array<Vec3dd, 3> corners;
-    for (std::size_t i = 0; i < 3; ++i) corners[i] = difference(scale(mesh.points[t[i].index()], -exponent), centre);
-    six_volumes = six_volumes + dot(corners[0], cross(corners[1], corners[2]));
+    const Vec3dd a = from_centre(mesh.points[t[0].index()]);
+    const Vec3dd b = from_centre(mesh.points[t[1].index()]);
+    const Vec3dd c = from_centre(mesh.points[t[2].index()]);
+    six_volumes = six_volumes + dot(a, cross(b, c));
   }
-  return std::ldexp((six_volumes / DoubleDouble{6, 0, 0}).hi, 3 * exponent);
+  return std::ldexp((six_volumes / DoubleDouble{6, 0, 0}).hi, exponents[0] + exponents[1] + exponents[2]);
 }
 
 AngleRange angle_range(const SurfaceMesh& mesh) {

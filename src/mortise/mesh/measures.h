@@ -9,7 +9,7 @@
 
 namespace mortise {
 
-// Coordinates are first scaled by a power of two; differences and sums are double-double, in the order of the faces. For
+// Coordinates are first scaled by powers of two; differences and sums are double-double, in the order of the faces. For
 // finite coordinates no result is NaN, and it is infinite only when the true one does not fit a double.
 // Faces without area are welcome. Indices in range.
 
