@@ -4,7 +4,8 @@
 #include "mortise/io/files.h"
 
 #include <algorithm>
-#include <cstdio>
+#include <filesystem>
+#include <random>
 
 #include "io/io_support.h"
 #include "io/known_meshes.h"
@@ -16,7 +17,10 @@ using namespace mortise::test;
 
 namespace {
 
-const char* const scratch_file = "mortise_files_test.ply";
+/// A name for a file that nobody else uses.
+std::string scratch_file() {
+  return (std::filesystem::temp_directory_path() / ("mortise_" + std::to_string(std::random_device()()) + ".ply")).string();
+}
 
 bool skip_without_data() {
   if (data_folder()) return false;
@@ -34,10 +38,11 @@ bool is_known(const std::string& file) {
 
 TEST_CASE("A mesh file is written and read back by its name") {
   const SurfaceMesh mesh = awkward_tetrahedron();
-  write_mesh_file(scratch_file, mesh);
-  const SurfaceMesh back = read_mesh_file(scratch_file);
-  CHECK(read_file(scratch_file) == write_mesh(mesh, Format::PlyBinary));
-  std::remove(scratch_file);
+  const std::string file = scratch_file();
+  write_mesh_file(file, mesh);
+  const SurfaceMesh back = read_mesh_file(file);
+  CHECK(read_file(file) == write_mesh(mesh, Format::PlyBinary));
+  std::filesystem::remove(file);
   CHECK(point_bits(back) == point_bits(mesh));
   CHECK(back.triangles == mesh.triangles);
 }

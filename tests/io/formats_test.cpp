@@ -7,7 +7,6 @@
 #include <random>
 
 #include "io/io_support.h"
-#include "mortise/io/text.h"
 #include "support/test_scale.h"
 
 using namespace mortise;
@@ -110,11 +109,4 @@ TEST_CASE("A file with random damage gives a mesh with sound indices or a typed 
   }
   CHECK(meshes > 100);
   CHECK(errors > 100);
-}
-
-TEST_CASE("Lines end with LF, CRLF or CR and are counted from 1") {
-  LineReader lines("a\nb\r\nc\rd\n\n\re", "test");
-  std::string seen;
-  while (lines.next()) seen += std::to_string(lines.place().line) + std::string(lines.line()) + ";";
-  CHECK(seen == "1a;2b;3c;4d;5;6;7e;");
 }
