@@ -15,7 +15,7 @@ using PositionKey = std::array<std::uint64_t, 3>;
 
 /// Equal for equal positions: adding +0 turns -0 into +0.
 PositionKey key_of(const Vec3d& p) {
-  return {std::bit_cast<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0), std::bit_cast<std::uint64_t>(p.z + 0.0)};
+  return {cast_bits<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0), std::bit_cast<std::uint64_t>(p.z + 0.0)};
 }
 
 std::uint64_t hash_of(const PositionKey& key) {
