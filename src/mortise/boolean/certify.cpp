@@ -88,22 +88,28 @@ class Certifier {
     result_.certificate.failed_faces.push_back(b.value);
   }
 
+  // A tree of the few moved triangles, asked by all.
   void test_pairs(const ProgressCallback& progress) {
+    std::vector<FaceId> moved;
     std::vector<Box3> boxes;
-    boxes.reserve(mesh_.triangles.size());
-    for (const Triangle& t : mesh_.triangles) boxes.push_back(box_of(t));
+    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
+      if (is_moved_[t] == 0) continue;
+      moved.push_back(FaceId(t));
+      boxes.push_back(box_of(mesh_.triangles[t]));
+      if (is_degenerate(mesh_, FaceId(t))) fail(FaceId(t), FaceId(t));
+    }
     const BoxTree tree(boxes);
     constexpr std::size_t triangles_per_report = 4096;
-    for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
-      if (t % triangles_per_report == 0) {
-        report_progress(progress, "certify", 0.85 + 0.1 * static_cast<double>(t) / static_cast<double>(mesh_.triangles.size()));
+    for (std::size_t i = 0; i < mesh_.triangles.size(); ++i) {
+      if (i % triangles_per_report == 0) {
+        report_progress(progress, "certify", 0.85 + 0.1 * static_cast<double>(i) / static_cast<double>(mesh_.triangles.size()));
       }
-      if (is_moved_[t] == 0) continue;
-      if (is_degenerate(mesh_, FaceId(t))) fail(FaceId(t), FaceId(t));
-      tree.for_each_meeting(boxes[t], [&](std::uint32_t other) {
-        if (other == t || (is_moved_[other] != 0 && other < t)) return;
+      const FaceId t(i);
+      tree.for_each_meeting(box_of(triangle(t)), [&](std::uint32_t item) {
+        const FaceId other = moved[item];
+        if (other == t || (is_moved_[i] != 0 && other < t)) return;
         ++result_.certificate.pairs_tested;
-        if (triangles_meet_beyond_shared(mesh_, FaceId(t), FaceId(other))) fail(FaceId(t), FaceId(other));
+        if (triangles_meet_beyond_shared(mesh_, t, other)) fail(t, other);
       });
     }
   }

@@ -51,7 +51,8 @@ class SliverSwapper {
     const auto begin = std::lower_bound(edges_.begin(), edges_.end(), DirectedEdge{from, to, FaceId(std::size_t{0})});
     auto end = begin;
     while (end != edges_.end() && end->from == from && end->to == to) ++end;
-    return {begin, end};
+    return std::span<const DirectedEdge>(edges_).subspan(static_cast<std::size_t>(begin - edges_.begin()),
+                                                         static_cast<std::size_t>(end - begin));
   }
 
   // The edge of a triangle that is longest; the triangle's height over it is at most the reach.

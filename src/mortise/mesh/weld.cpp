@@ -8,6 +8,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "mortise/base/bits.h"
+
 namespace mortise {
 namespace {
 
@@ -15,7 +17,7 @@ using PositionKey = std::array<std::uint64_t, 3>;
 
 /// Equal for equal positions: adding +0 turns -0 into +0.
 PositionKey key_of(const Vec3d& p) {
-  return {cast_bits<std::uint64_t>(p.x + 0.0), std::bit_cast<std::uint64_t>(p.y + 0.0), std::bit_cast<std::uint64_t>(p.z + 0.0)};
+  return {cast_bits<std::uint64_t>(p.x + 0.0), cast_bits<std::uint64_t>(p.y + 0.0), cast_bits<std::uint64_t>(p.z + 0.0)};
 }
 
 std::uint64_t hash_of(const PositionKey& key) {
