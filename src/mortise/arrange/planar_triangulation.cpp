@@ -62,11 +62,11 @@ Sign PlanarTriangulation::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c
 std::vector<std::uint32_t> PlanarTriangulation::sweep_order() const {
   std::vector<std::uint32_t> order(vertices_.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
-  const auto [u, v] = kept_coordinates(axis_);
+  const auto kept = kept_coordinates(axis_);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
     if (a == b) return false;
-    const Sign first = points_.compare(vertices_[a], vertices_[b], u);
-    return first != Sign::Zero ? first == Sign::Negative : points_.compare(vertices_[a], vertices_[b], v) == Sign::Negative;
+    const Sign first = points_.compare(vertices_[a], vertices_[b], kept[0]);
+    return first != Sign::Zero ? first == Sign::Negative : points_.compare(vertices_[a], vertices_[b], kept[1]) == Sign::Negative;
   });
   return order;
 }

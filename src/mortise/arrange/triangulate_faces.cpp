@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 
 #include "mortise/arrange/planar_triangulation.h"
 #include "mortise/exact/predicates.h"
@@ -107,7 +108,8 @@ class OverlayTriangulator {
     LocalEdge edge;
     std::uint32_t cell;
     std::uint32_t side;
-    auto operator<=>(const DirectedEdge&) const = default;
+    bool operator==(const DirectedEdge&) const = default;
+    bool operator<(const DirectedEdge& o) const { return std::tie(edge, cell, side) < std::tie(o.edge, o.cell, o.side); }
   };
 
   void cover_cells(const PlanarTriangulation& triangulation) {

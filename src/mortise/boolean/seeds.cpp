@@ -31,8 +31,9 @@ class SeedFinder {
     collect_facets_at_extremes();
     std::vector<Seed> seeds;
     for (std::uint32_t i = 0; i < complex_count_; ++i) {
-      const std::span<const FacetId> incident =
-          std::span<const FacetId>(facets_at_extreme_).subspan(first_at_extreme_[i], first_at_extreme_[i + 1] - first_at_extreme_[i]);
+      const auto begin = static_cast<std::size_t>(first_at_extreme_[i]);
+      const auto end = static_cast<std::size_t>(first_at_extreme_[i + 1]);
+      const std::span<const FacetId> incident = std::span<const FacetId>(facets_at_extreme_).subspan(begin, end - begin);
       SourceId face;
       const PointId v = extremes_[i];
       const PointId w = lowest_edge(v, incident, face);
