@@ -28,17 +28,12 @@ val format_of_path(const std::string& path) {
   return answer([&] { return val(std::string(format_name(format_from_path(path)))); });
 }
 
-val is_float32(const std::string& format) {
-  return answer([&] { return val(is_float32_format(format_from_name(format))); });
-}
-
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(mortise_files) {
   emscripten::function("readMesh", &read_mesh_bytes);
   emscripten::function("writeMesh", &write_mesh_bytes);
   emscripten::function("formatOfPath", &format_of_path);
-  emscripten::function("isFloat32Format", &is_float32);
 }
 
 }  // namespace mortise::wasm

@@ -117,16 +117,20 @@ std::vector<std::string> mesh_notes(const MeshReport& report) {
 }
 
 std::string certificate_note(const Certificate& certificate) {
-  const std::string tested = "relative certificate: " + std::to_string(certificate.triangles_tested) + " triangles with rounded vertices tested in " +
-                             std::to_string(certificate.pairs_tested) + " pairs";
+  const std::string tested = "relative certificate: " + std::to_string(certificate.triangles_tested) +
+                             " triangles with rounded vertices tested in " + std::to_string(certificate.pairs_tested) + " pairs";
   const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement);
   if (certificate.status == CertificateStatus::Certified) return tested + moved;
   return tested + moved + "; " + std::to_string(certificate.failed_faces.size()) + " triangles are not proven free of new crossings";
 }
 
-/// Time and words of a call.
+/// What a report says beside the mesh itself.
 struct Account {
+  bool certified = false;
+  val operands = val::array();
   std::vector<StageTime> times;
+  IntersectionGraph graph;
+  ContactMeasure contact;
   std::vector<std::string> notes;
 };
 
@@ -139,10 +143,15 @@ MeshReport inspect_into(const SurfaceMesh& mesh, Account& account) {
   return report;
 }
 
+/// The fields in the order of the documentation.
 val report_out(const MeshReport& report, const Account& account) {
   val object = mesh_report_out(report);
+  object.set("certified", account.certified);
+  object.set("operands", account.operands);
   object.set("stages", list_out(account.times, stage_out));
   object.set("milliseconds", 0);
+  object.set("graph", graph_counts_out(account.graph));
+  object.set("contact", contact_out(account.contact));
   object.set("notes", strings_out(account.notes));
   return object;
 }
@@ -156,23 +165,21 @@ val inspection_out(const SurfaceMesh& mesh) {
   account.times.push_back({"weld", watch.milliseconds()});
   note_if(account.notes, mesh.points.size() - welded.points.size(), "vertices were welded to another of equal position");
   const MeshReport report = inspect_into(welded, account);
-  val object = report_out(report, account);
-  object.set("certified", report.self_intersections == 0 && report.degenerate_faces == 0);
-  object.set("operands", val::array());
-  object.set("graph", graph_counts_out({}));
-  object.set("contact", contact_out({}));
-  return object;
+  account.certified = report.self_intersections == 0 && report.degenerate_faces == 0;
+  return report_out(report, account);
 }
 
 val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result) {
-  Account account{result.report.stages, result.report.notes};
+  Account account;
+  account.certified = result.report.certificate.status == CertificateStatus::Certified;
+  account.operands = operands_out(operands, result.report.self_contacts);
+  account.times = result.report.stages;
+  account.graph = result.graph;
+  account.contact = result.report.contact;
+  account.notes = result.report.notes;
   account.notes.push_back(certificate_note(result.report.certificate));
-  val object = report_out(inspect_into(result.mesh, account), account);
-  object.set("certified", result.report.certificate.status == CertificateStatus::Certified);
-  object.set("operands", operands_out(operands, result.report.self_contacts));
-  object.set("graph", graph_counts_out(result.graph));
-  object.set("contact", contact_out(result.report.contact));
-  return object;
+  const MeshReport report = inspect_into(result.mesh, account);
+  return report_out(report, account);
 }
 
 }  // namespace mortise::wasm

@@ -119,6 +119,7 @@ function checkNames(names, name) {
  * A mesh ready to cross into the core. Nothing of the caller is changed.
  * @param {any} mesh
  * @param {string} name how the caller knows it: "operand 0", "mesh"
+ * @returns {import('../dist/glue.mjs').CheckedMesh}
  */
 export function checkMesh(mesh, name) {
   if (typeof mesh !== 'object' || mesh === null) throw invalidArgument(`${name} must be a mesh {positions, triangles}, not ${describe(mesh)}`);

@@ -34,7 +34,7 @@ export function createAsyncApi(compileFrom, host) {
     const api = await load();
     if (!isBlob(source)) return api.readMesh(source, options);
     const bytes = new Uint8Array(await source.arrayBuffer());
-    return api.readMesh(bytes, { ...('name' in source ? { name: source.name } : {}), ...options });
+    return api.readMesh(bytes, { ...(source instanceof File ? { name: source.name } : {}), ...options });
   }
 
   return {

@@ -5,19 +5,22 @@
 import createGlue from '../dist/glue.mjs';
 import { MeshError, invalidArgument } from './errors.js';
 
+/** @typedef {import('../dist/glue.mjs').Core} Core */
+
 /**
  * A running core.
  * @param {WebAssembly.Module} module
- * @returns {Promise<any>}
+ * @returns {Promise<Core>}
  */
 async function startCore(module) {
   /** @type {(reason: unknown) => void} */
   let fail = () => {};
+  /** @type {Promise<never>} */
   const failed = new Promise((_, reject) => {
     fail = reject;
   });
   const started = createGlue({
-    instantiateWasm(/** @type {WebAssembly.Imports} */ imports, /** @type {Function} */ receive) {
+    instantiateWasm(imports, receive) {
       WebAssembly.instantiate(module, imports).then((instance) => receive(instance, module), fail);
       return {};
     },
@@ -36,7 +39,7 @@ async function compiledModule({ wasmModule, wasmBinary, wasmUrl }, compileFrom) 
     if (!(wasmModule instanceof WebAssembly.Module)) throw invalidArgument('wasmModule must be a WebAssembly.Module');
     return wasmModule;
   }
-  if (wasmBinary !== undefined) return WebAssembly.compile(wasmBinary);
+  if (wasmBinary !== undefined) return WebAssembly.compile(/** @type {BufferSource} */ (wasmBinary));
   return compileFrom(wasmUrl);
 }
 
@@ -44,10 +47,10 @@ async function compiledModule({ wasmModule, wasmBinary, wasmUrl }, compileFrom) 
  * The function that gives the one core of this program, started at the first call. A failed start is tried again at the
  * next call.
  * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
- * @returns {(options?: import('./index.js').LoadOptions) => Promise<any>}
+ * @returns {(options?: import('./index.js').LoadOptions) => Promise<Core>}
  */
 export function coreLoader(compileFrom) {
-  /** @type {Promise<any> | undefined} */
+  /** @type {Promise<Core> | undefined} */
   let core;
   return (options = {}) => {
     core ??= compiledModule(options, compileFrom)

@@ -20,7 +20,7 @@ export class MeshError extends Error {
     Object.defineProperty(this, brand, { value: true });
   }
 
-  /** @param {unknown} value */
+  /** @param {unknown} value @returns {value is MeshError} */
   static [Symbol.hasInstance](value) {
     return typeof value === 'object' && value !== null && brand in value;
   }

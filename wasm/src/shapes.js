@@ -58,14 +58,14 @@ export const shapes = {
  */
 export function checkShape(shape, given = {}) {
   if (typeof shape !== 'string' || !Object.hasOwn(shapes, shape)) throw invalidArgument(`the shapes are ${Object.keys(shapes).join(', ')}, not ${describe(shape)}`);
-  if (typeof given !== 'object' || given === null) throw invalidArgument(`the parameters of a ${shape} are an object, not ${describe(given)}`);
+  if (typeof given !== 'object' || given === null) throw invalidArgument(`the parameters of ${shape} are an object, not ${describe(given)}`);
   const { core, parameters } = shapes[shape];
   const unknown = Object.keys(given).find((name) => !Object.hasOwn(parameters, name));
-  if (unknown !== undefined) throw invalidArgument(`a ${shape} has no parameter '${unknown}'; it has ${Object.keys(parameters).join(', ')}`);
+  if (unknown !== undefined) throw invalidArgument(`${shape} has no parameter '${unknown}'; it has ${Object.keys(parameters).join(', ')}`);
   const numbers = Object.entries(parameters).flatMap(([name, { wanted, fallback, numbers: numbersOf }]) => {
     const value = given[name] ?? fallback;
     const found = numbersOf(value);
-    if (found === undefined) throw invalidArgument(`${name} of a ${shape} must be ${wanted}, not ${describe(value)}`);
+    if (found === undefined) throw invalidArgument(`${name} of ${shape} must be ${wanted}, not ${describe(value)}`);
     return found;
   });
   return [core, Float64Array.from(numbers)];

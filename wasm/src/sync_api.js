@@ -9,6 +9,14 @@ import { placesOf } from './places.js';
 import { checkShape } from './shapes.js';
 import { checkSteps } from './steps.js';
 
+/** @typedef {import('../dist/glue.mjs').Core} Core */
+/** @typedef {import('../dist/glue.mjs').CheckedMesh} CheckedMesh */
+
+/**
+ * @template Value
+ * @typedef {import('../dist/glue.mjs').Answer<Value>} Answer
+ */
+
 /**
  * What differs between Node and browsers.
  * @typedef {object} Host
@@ -18,11 +26,13 @@ import { checkSteps } from './steps.js';
 
 /**
  * The value of a core's answer, or its error with the places it names.
- * @param {{ value?: any, error?: any }} answer
- * @param {any[]} meshes the operands its ids are about
+ * @template Value
+ * @param {Answer<Value>} answer
+ * @param {CheckedMesh[]} meshes the operands its ids are about
+ * @returns {Value}
  */
 function valueOf({ value, error }, meshes) {
-  if (error === undefined) return value;
+  if (error === undefined) return /** @type {Value} */ (value);
   const { code, message, details } = error;
   const places = placesOf(meshes[details.operand ?? 0], details);
   throw new MeshError(code, message, places === undefined ? details : { ...details, places });
@@ -30,8 +40,10 @@ function valueOf({ value, error }, meshes) {
 
 /**
  * Calls the core. What is no answer is a failure of the machine: memory of JavaScript, or a trap.
- * @param {() => { value?: any, error?: any }} call
- * @param {any[]} [meshes]
+ * @template Value
+ * @param {() => Answer<Value>} call
+ * @param {CheckedMesh[]} [meshes]
+ * @returns {Value}
  */
 function ask(call, meshes = []) {
   let answer;
@@ -94,7 +106,7 @@ function guardProgress(progress) {
 }
 
 /**
- * @param {any} core
+ * @param {Core} core
  * @param {string} operation
  * @param {any[]} args
  * @returns {import('./index.js').BooleanResult}
@@ -117,7 +129,7 @@ function evaluate(core, operation, args) {
 }
 
 /**
- * @param {any} core
+ * @param {Core} core
  * @param {import('./index.js').MeshInput} mesh
  * @returns {import('./index.js').Report}
  */
@@ -130,7 +142,7 @@ function inspectMesh(core, mesh) {
 }
 
 /**
- * @param {any} core
+ * @param {Core} core
  * @param {Host} host
  * @param {string | URL | Uint8Array | ArrayBuffer | Blob} source
  * @param {import('./index.js').ReadOptions} [options]
@@ -146,7 +158,7 @@ function readMesh(core, host, source, options) {
 
 /**
  * writeMesh(path, mesh, options?) or writeMesh(mesh, options).
- * @param {any} core
+ * @param {Core} core
  * @param {Host} host
  * @param {any[]} args
  * @returns {any}
@@ -163,7 +175,7 @@ function writeMesh(core, host, args) {
 }
 
 /**
- * @param {any} core
+ * @param {Core} core
  * @param {Host} host
  * @returns {import('./index.js').Mortise}
  */

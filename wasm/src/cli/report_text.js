@@ -4,6 +4,9 @@
 
 const labelWidth = 14;
 
+/** Stages shorter than this share of the whole call are not shown. */
+const shownShare = 0.05;
+
 /** @param {number} n */
 const count = (n) => n.toLocaleString('en-US');
 
@@ -40,8 +43,9 @@ function operandLine({ name, vertices, triangles, selfContacts }) {
 
 /** @param {import('../index.js').Report} report */
 function times({ milliseconds, stages }) {
-  const parts = stages.map((stage) => `${stage.stage} ${short(stage.milliseconds)}`);
-  return `${short(milliseconds)} ms${parts.length === 0 ? '' : ` (${parts.join(', ')})`}`;
+  const long = stages.filter((stage) => stage.milliseconds >= shownShare * milliseconds);
+  const parts = long.map((stage) => `${stage.stage} ${Math.round(stage.milliseconds)}`);
+  return `${Math.round(milliseconds)} ms${parts.length === 0 ? '' : ` (${parts.join(', ')})`}`;
 }
 
 /**

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What the bindings export; the compiler's own glue carries no types. It lies beside the glue for tsc (rootDirs).
+
+import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, Report } from '../src/index.js';
+
+/** One of the two. */
+export interface Answer<Value> {
+  value?: Value;
+  error?: { code: MeshErrorCode; message: string; details: MeshErrorDetails };
+}
+
+export interface CheckedMesh {
+  positions: Float64Array | Float32Array;
+  triangles?: Uint32Array;
+  faceLabels?: Uint32Array;
+  labelNames?: string[];
+}
+
+export interface Core {
+  evaluateBoolean(operation: string, operands: CheckedMesh[], listener: ((stage: string, fraction: number) => boolean) | undefined): Answer<BooleanResult>;
+  inspectMesh(mesh: CheckedMesh): Answer<Report>;
+  transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;
+  makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
+  readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
+  writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
+  formatOfPath(path: string): Answer<string>;
+}
+
+export default function createGlue(options: {
+  instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): object;
+}): Promise<Core>;
