@@ -53,7 +53,7 @@ void grow(std::vector<Pair>& numbers, PointGenerator& random, int steps) {
   for (int i = 0; i < steps; ++i) {
     const Pair& a = numbers[random.below(numbers.size())];
     const Pair& b = numbers[random.below(numbers.size())];
-    const std::uint64_t operation = random.below(3);
+    const std::size_t operation = random.below(3);
     numbers[random.below(numbers.size())] = operation == 2 ? multiply(a, b) : add(a, b, operation == 1);
   }
 }

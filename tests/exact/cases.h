@@ -38,8 +38,10 @@ class PointGenerator {
  public:
   explicit PointGenerator(std::uint64_t seed) : random_(seed), nature_(static_cast<Nature>(seed % nature_count)) {
     width_ = 60 + static_cast<int>(below(141));
-    if (nature_ == Nature::VeryWide)
-      width_ = static_cast<int>(std::ldexp(200.0 + static_cast<double>(below(51)), static_cast<int>(below(4))));
+    if (nature_ == Nature::VeryWide) {
+      const double narrow = 200.0 + static_cast<double>(below(51));
+      width_ = static_cast<int>(std::ldexp(narrow, static_cast<int>(below(4))));
+    }
     scale_ = below(4) == 0 ? static_cast<int>(below(1900)) - 1000 : 0;
     origin_ = grid(1024);
     u_ = grid(1024);
@@ -50,7 +52,7 @@ class PointGenerator {
   }
 
   [[nodiscard]] Nature nature() const { return nature_; }
-  [[nodiscard]] std::uint64_t below(std::uint64_t n) { return random_() % n; }
+  [[nodiscard]] std::size_t below(std::size_t n) { return static_cast<std::size_t>(random_() % n); }
 
   /// `count` points, some of which repeat a coordinate of an earlier one. Flat natures stay flat.
   [[nodiscard]] std::vector<Vec3d> points(std::size_t count) {
@@ -67,14 +69,16 @@ class PointGenerator {
 
  private:
   double unit() { return std::ldexp(static_cast<double>(random_() >> 11), -53); }
-  double integer(std::uint64_t size) { return static_cast<double>(below(2 * size + 1)) - static_cast<double>(size); }
+  double integer(std::uint64_t size) { return static_cast<double>(random_() % (2 * size + 1)) - static_cast<double>(size); }
   Vec3d cube() { return {unit(), unit(), unit()}; }
   Vec3d grid(std::uint64_t size) { return {integer(size), integer(size), integer(size)}; }
+  /// Braces at the calls fix the order in which the two factors are drawn.
+  [[nodiscard]] Vec3d flat_point(const std::array<double, 2>& factors) const { return origin_ + factors[0] * u_ + factors[1] * v_; }
   /// A number of 1 to 53 bits with an exponent anywhere in the width.
   double spread() {
     const int drop = static_cast<int>(below(53));
     const double mantissa = std::floor(std::ldexp(unit(), 53 - drop));
-    const double x = std::ldexp(mantissa, drop - 53 + static_cast<int>(below(static_cast<std::uint64_t>(width_ - 52))) - width_ / 2);
+    const double x = std::ldexp(mantissa, drop - 53 + static_cast<int>(below(static_cast<std::size_t>(width_ - 52))) - width_ / 2);
     return below(2) == 0 ? x : -x;
   }
 
@@ -87,9 +91,9 @@ class PointGenerator {
       case Nature::Grid:
         return std::ldexp(1.0, scale_) * grid(4);
       case Nature::Flat:
-        return std::ldexp(1.0, scale_ < -900 ? -1074 : scale_) * (origin_ + integer(1024) * u_ + integer(1024) * v_);
+        return std::ldexp(1.0, scale_ < -900 ? -1074 : scale_) * flat_point({integer(1024), integer(1024)});
       case Nature::NearlyFlat:
-        return origin_ + unit() * u_ + unit() * v_;
+        return flat_point({unit(), unit()});
       case Nature::AxisFlat: {
         Vec3d p{spread(), spread(), spread()};
         if (below(8) != 0) p[shared_axis_] = shared_;

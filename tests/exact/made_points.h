@@ -48,8 +48,8 @@ class PointPair {
     return result;
   }
 
-  PointId random_point(PointGenerator& random) const { return PointId(static_cast<std::size_t>(random.below(set.size()))); }
-  PointId random_input(PointGenerator& random) const { return PointId(static_cast<std::size_t>(random.below(set.input_count()))); }
+  PointId random_point(PointGenerator& random) const { return PointId(random.below(set.size())); }
+  PointId random_input(PointGenerator& random) const { return PointId(random.below(set.input_count())); }
   PlanePoints random_plane(PointGenerator& random) const { return {random_input(random), random_input(random), random_input(random)}; }
 
   /// Makes a point of random inputs, when they make one that fits a double, and checks its id. Nothing when they do not.
