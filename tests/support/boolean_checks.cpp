@@ -238,10 +238,12 @@ std::vector<Corners> faces_near(std::span<const SurfaceMesh* const> operands, co
 
 /// The exact point a made vertex stands for: the one its faces allow that rounds to its doubles. Where a contact without
 /// volume made it, the other face of the contact is not in the result and is looked for among all faces.
-std::vector<RationalPoint> exact_points_at(const Vec3d& doubles, const std::vector<Corners>& faces, std::span<const SurfaceMesh* const> operands) {
+std::vector<RationalPoint> exact_points_at(const Vec3d& doubles, const std::vector<Corners>& faces,
+                                           std::span<const SurfaceMesh* const> operands, Repairs repairs) {
   const auto differs = [&](const RationalPoint& p) { return oracle::nearest_double(p) != doubles; };
   std::vector<RationalPoint> points = oracle::points_determined_by(doubles, faces);
   std::erase_if(points, differs);
+  if (points.empty() && repairs == Repairs::Allowed) points = oracle::points_determined_by_some(doubles, faces);
   if (!points.empty()) return points;
   points = oracle::points_determined_by(doubles, faces, faces_near(operands, doubles));
   std::erase_if(points, differs);
@@ -305,7 +307,7 @@ bool are_sources_in_range(std::span<const SurfaceMesh* const> operands, const Bo
   return fine;
 }
 
-std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Faults& faults) {
+std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs, Faults& faults) {
   const auto round = sources_round_made_vertices(result);
   std::vector<RationalPoint> positions;
   for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
@@ -316,22 +318,51 @@ std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> op
       if (!have_equal_bits(doubles, source)) faults.add("vertex differs from its source vertex", v);
       continue;
     }
-    const std::vector<RationalPoint> points = exact_points_at(doubles, corners_of_sources(operands, round[v]), operands);
+    const std::vector<RationalPoint> points = exact_points_at(doubles, corners_of_sources(operands, round[v]), operands, repairs);
     if (points.size() == 1) positions.back() = points[0];
     if (points.empty()) faults.add("made vertex is not the nearest double of a point its faces determine", v);
   }
   return positions;
 }
 
-void check_facet(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, std::size_t f,
-                 const std::vector<RationalPoint>& positions, Faults& faults) {
+/// Is the facet in the source face but for `slack`, in doubles?
+bool is_almost_in(const Corners& facet, const Corners& source, double slack) {
+  const Vec3d normal = cross(source[1] - source[0], source[2] - source[0]);
+  const double size = std::sqrt(dot(normal, normal));
+  for (const Vec3d& p : facet) {
+    if (std::fabs(dot(normal, p - source[0])) > slack * size) return false;
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d along = source[(i + 1) % 3] - source[i];
+      if (dot(cross(along, p - source[i]), normal) < -slack * size * std::sqrt(dot(along, along))) return false;
+    }
+  }
+  return true;
+}
+
+/// What the positions of the vertices are checked with.
+struct Reference {
+  std::span<const SurfaceMesh* const> operands;
+  std::vector<RationalPoint> positions;
+  double slack = 0;
+};
+
+double size_of_scene(std::span<const SurfaceMesh* const> operands) {
+  double size = 0;
+  for (const SurfaceMesh* operand : operands) size = std::max(size, largest_coordinate(*operand));
+  return 2 * size;
+}
+
+void check_facet(const Reference& reference, const BooleanResult& result, std::size_t f, Faults& faults) {
+  const auto& [operands, positions, slack] = reference;
   const Provenance& p = result.provenance;
   const std::vector<SourceFace> sources = sources_of(p, f);
   if (sources.size() == 1 && is_untouched(p, result, operands, f)) return;
   const Triangle& t = result.mesh.triangles[f];
   const std::array<RationalPoint, 3> facet{positions[t[0].index()], positions[t[1].index()], positions[t[2].index()]};
   for (std::size_t s = 0; s < sources.size(); ++s) {
-    const int sense = sense_in(facet, oracle::corners_of(*operands[sources[s].operand], sources[s].face));
+    const Corners source = oracle::corners_of(*operands[sources[s].operand], sources[s].face);
+    const int sense = sense_in(facet, source);
+    if (sense == 0 && slack > 0 && is_almost_in(oracle::corners_of(result.mesh, f), source, slack)) continue;
     if (sense == 0) faults.add(s == 0 ? "facet not inside its source face" : "facet not inside its other source", f);
     if (s == 0 && sense != 0 && sense != (p.flipped[f] != 0 ? -1 : 1)) faults.add("facet flipped wrongly", f);
     if (s > 0 && sources[s].operand < sources[0].operand) faults.add("first source is not of the lowest operand", f);
@@ -374,22 +405,23 @@ std::string faults_of_mesh(const BooleanResult& result) {
   return faults.text();
 }
 
-std::string faults_of_provenance(std::span<const SurfaceMesh* const> operands, const BooleanResult& result) {
+std::string faults_of_provenance(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs) {
   Faults faults;
   if (!are_sources_in_range(operands, result, faults)) return faults.text();
-  const std::vector<RationalPoint> positions = find_positions(operands, result, faults);
-  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) check_facet(operands, result, f, positions, faults);
+  Reference reference{operands, find_positions(operands, result, repairs, faults)};
+  if (repairs == Repairs::Allowed) reference.slack = std::ldexp(size_of_scene(operands), -44);
+  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) check_facet(reference, result, f, faults);
   return faults.text();
 }
 
 std::vector<RationalPoint> exact_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result) {
   Faults faults;
-  return find_positions(operands, result, faults);
+  return find_positions(operands, result, Repairs::None, faults);
 }
 
-std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result) {
+std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs) {
   const std::string faults = faults_of_mesh(result);
-  return faults.empty() ? faults_of_provenance(operands, result) : faults;
+  return faults.empty() ? faults_of_provenance(operands, result, repairs) : faults;
 }
 
 std::vector<std::array<double, 3>> sorted_points(const SurfaceMesh& mesh) {

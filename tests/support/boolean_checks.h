@@ -31,15 +31,19 @@ struct Shape {
 /// twice, certificate. One line each; empty when right.
 [[nodiscard]] std::string faults_of_mesh(const BooleanResult& result);
 
+/// May the repair of rounded results have merged vertices and swapped diagonals? Then a vertex may stand for several made
+/// points, and a facet may reach over the border of its source face by 2^-44 of the size of the scene.
+enum class Repairs { None, Allowed };
+
 /// Faults of the provenance, checked in rationals: every vertex is its source vertex bit for bit or the correctly rounded
 /// point its faces determine, every facet lies in all its source faces and runs as `flipped` says.
-[[nodiscard]] std::string faults_of_provenance(std::span<const SurfaceMesh* const> operands, const BooleanResult& result);
+[[nodiscard]] std::string faults_of_provenance(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs);
 
 /// The exact positions of the vertices before they were rounded, as the provenance determines them.
 [[nodiscard]] std::vector<oracle::RationalPoint> exact_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result);
 
 /// Both of the above.
-[[nodiscard]] std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result);
+[[nodiscard]] std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs = Repairs::None);
 
 /// The positions of a mesh, sorted: equal for equal point sets.
 [[nodiscard]] std::vector<std::array<double, 3>> sorted_points(const SurfaceMesh& mesh);

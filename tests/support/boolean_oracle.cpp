@@ -512,4 +512,20 @@ std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::
   return candidates;
 }
 
+std::vector<RationalPoint> points_determined_by_some(const Vec3d& vertex, const std::vector<Corners>& faces) {
+  const std::vector<Facet> facets = proper_facets(faces);
+  std::vector<RationalPoint> candidates = edge_candidates(facets, vertex);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    for (std::size_t j = i + 1; j < facets.size(); ++j) {
+      for (std::size_t k = j + 1; k < facets.size(); ++k) {
+        if (const auto p = common_point(facets[i].plane, facets[j].plane, facets[k].plane)) candidates.push_back(*p);
+      }
+    }
+  }
+  std::erase_if(candidates, [&](const RationalPoint& p) { return nearest_double(p) != vertex; });
+  std::sort(candidates.begin(), candidates.end());
+  candidates.erase(std::unique(candidates.begin(), candidates.end()), candidates.end());
+  return candidates;
+}
+
 }  // namespace mortise::oracle

@@ -64,4 +64,8 @@ struct MadePoint {
 [[nodiscard]] std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::vector<Corners>& faces,
                                                               const std::vector<Corners>& touching = {});
 
+/// The same without asking that the point lies on all of them: every point that three of the planes, or an edge and a
+/// plane, determine and whose doubles are those of the vertex. A vertex that stands for several made points has several.
+[[nodiscard]] std::vector<RationalPoint> points_determined_by_some(const Vec3d& vertex, const std::vector<Corners>& faces);
+
 }  // namespace mortise::oracle
