@@ -53,6 +53,11 @@ void add_pairs_within(const OperandFaces& faces, OperandId k, PairList& pairs) {
     for_each_meeting_pair_within(faces.trees[k], [&](std::uint32_t i, std::uint32_t j) { pairs.add(first + i, first + j); });
     return;
   }
+  if (faces.self_contacts[k] == SelfContacts::Parts) {
+    for_each_meeting_pair_within(faces.trees[k], [&](std::uint32_t i, std::uint32_t j) {
+      if (faces.part[SourceId(first + i)] != faces.part[SourceId(first + j)]) pairs.add(first + i, first + j);
+    });
+  }
   for (std::uint32_t f = first; f < faces.first[OperandId(k.index() + 1)]; ++f) {
     if (faces.shape[SourceId(f)] != FaceShape::Collinear) continue;
     Box3 box;

@@ -7,6 +7,7 @@
 
 #include "mortise/base/bits.h"
 #include "mortise/base/error.h"
+#include "mortise/base/union_find.h"
 
 #include "mortise/exact/predicates.h"
 #include "mortise/mesh/validate.h"
@@ -69,6 +70,43 @@ std::vector<Box3> face_boxes(const OperandFaces& faces, OperandId k) {
   return boxes;
 }
 
+// Parts of one operand, numbered by one of their vertices.
+void number_parts(const SurfaceMesh& mesh, OperandId k, OperandFaces& faces) {
+  UnionFind joined(mesh.points.size());
+  std::vector<std::uint32_t> vertex_of(faces.points.size(), 0xffffffffU);  // the first vertex of the operand at each point
+  const std::vector<PointId>& point_of = faces.point_of_vertex[k];
+  const auto vertex = [&](VertexId v) {
+    std::uint32_t& first = vertex_of[point_of[v.index()].index()];
+    if (first == 0xffffffffU) first = v.value;
+    return first;
+  };
+  for (const Triangle& t : mesh.triangles) {
+    joined.join(vertex(t[0]), vertex(t[1]));
+    joined.join(vertex(t[1]), vertex(t[2]));
+  }
+  for (const Triangle& t : mesh.triangles) faces.part.push_back(joined.find(vertex(t[0])));
+}
+
+bool has_meeting_parts(const OperandFaces& faces, OperandId k) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_part;
+  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) by_part.emplace_back(faces.part[SourceId(f)], f);
+  std::sort(by_part.begin(), by_part.end());
+  std::vector<Box3> boxes;
+  for (std::size_t i = 0; i < by_part.size(); ++i) {
+    if (i == 0 || by_part[i].first != by_part[i - 1].first) boxes.emplace_back();
+    for (std::size_t j = 0; j < 3; ++j) boxes.back().extend(faces.corner_position(SourceId(by_part[i].second), j));
+  }
+  bool meet = false;
+  if (boxes.size() > 1) for_each_meeting_pair_within(BoxTree(boxes), [&](std::uint32_t, std::uint32_t) { meet = true; });
+  return meet;
+}
+
+SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, bool has_collinear) {
+  if (!is_closed(faces, k) || has_coincident_faces(faces, k)) return SelfContacts::All;
+  if (has_meeting_parts(faces, k)) return SelfContacts::Parts;
+  return has_collinear ? SelfContacts::Collinear : SelfContacts::None;
+}
+
 void append_operand(const SurfaceMesh& mesh, OperandFaces& faces) {
   const OperandId k(faces.operand_count());
   std::vector<PointId>& point_of = faces.point_of_vertex[faces.point_of_vertex.push_back({})];
@@ -83,8 +121,8 @@ void append_operand(const SurfaceMesh& mesh, OperandFaces& faces) {
     has_collinear |= faces.shape.values().back() == FaceShape::Collinear;
   }
   faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
-  const bool is_simple = is_closed(faces, k) && !has_coincident_faces(faces, k);
-  faces.self_contacts.push_back(!is_simple ? SelfContacts::All : has_collinear ? SelfContacts::Collinear : SelfContacts::None);
+  number_parts(mesh, k, faces);
+  faces.self_contacts.push_back(self_contacts_of(faces, k, has_collinear));
   faces.trees.push_back(BoxTree(face_boxes(faces, k)));
 }
 
@@ -109,6 +147,7 @@ OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
   faces.operand.reserve(face_count);
   faces.first.push_back(0);
   for (const SurfaceMesh* mesh : operands) append_operand(*mesh, faces);
+  if (operands.size() == 1) faces.self_contacts[OperandId(0)] = SelfContacts::All;
   return faces;
 }
 

@@ -27,7 +27,8 @@ enum class FaceShape : std::uint8_t {
 enum class SelfContacts : std::uint8_t {
   None,       ///< a clean operand: closed, no face without area or twice
   Collinear,  ///< only those of its faces without area
-  All,        ///< open edges, coincident faces, or crossings that a former pass came upon
+  Parts,      ///< also those between parts (connected through vertices) whose boxes meet
+  All,        ///< open edges, coincident faces, crossings that a former pass came upon, or the only operand of a call
 };
 
 struct OperandFaces {
@@ -37,7 +38,8 @@ struct OperandFaces {
   IdVector<SourceId, OperandId> operand;
   IdVector<OperandId, std::uint32_t> first;  ///< operand count + 1 entries: its faces are first[k] .. first[k + 1] - 1
   IdVector<OperandId, SelfContacts> self_contacts;
-  IdVector<OperandId, BoxTree> trees;  ///< item i is face first[k] + i
+  IdVector<OperandId, BoxTree> trees;      ///< item i is face first[k] + i
+  IdVector<SourceId, std::uint32_t> part;  ///< faces of one operand with the same number are connected through vertices
   IdVector<OperandId, std::vector<PointId>> point_of_vertex;
 
   [[nodiscard]] std::size_t operand_count() const { return self_contacts.size(); }
