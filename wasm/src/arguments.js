@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Checks what a caller hands in before it crosses into the core, and says what to do instead.
+// @ts-check
 
 import { MeshError, invalidArgument } from './errors.js';
 
@@ -119,7 +120,7 @@ function checkNames(names, name) {
  * A mesh ready to cross into the core. Nothing of the caller is changed.
  * @param {any} mesh
  * @param {string} name how the caller knows it: "operand 0", "mesh"
- * @returns {import('../dist/glue.mjs').CheckedMesh}
+ * @returns {import('./glue_types.js').CheckedMesh}
  */
 export function checkMesh(mesh, name) {
   if (typeof mesh !== 'object' || mesh === null) throw invalidArgument(`${name} must be a mesh {positions, triangles}, not ${describe(mesh)}`);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The functions as most programs call them: the core is loaded by the first call.
+// @ts-check
 
 import { coreLoader } from './core.js';
 import { createSyncApi, isBlob } from './sync_api.js';

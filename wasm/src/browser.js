@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The package in browsers and their workers: core.wasm is fetched, files are bytes or Blobs.
+// @ts-check
 
 import { createAsyncApi } from './async_api.js';
 import { MeshError, invalidArgument } from './errors.js';

@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Starts the WebAssembly core from compiled code. The glue is the same in Node, browsers and workers.
+// @ts-check
 
-import createGlue from '../dist/glue.mjs';
+import glue from '../dist/glue.mjs';
 import { MeshError, invalidArgument } from './errors.js';
 
-/** @typedef {import('../dist/glue.mjs').Core} Core */
+/** @typedef {import('./glue_types.js').Core} Core */
+
+const createGlue = /** @type {import('./glue_types.js').CreateGlue} */ (/** @type {unknown} */ (glue));
 
 /**
  * A running core.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The one error type users see. Copies of the package in one program recognise each other's errors.
+// @ts-check
 
 const brand = Symbol.for('mortise.MeshError');
 

@@ -124,14 +124,18 @@ export interface BooleanOptions {
   signal?: AbortSignal;
 }
 
+/** Exactly one of the properties. */
+type One<All> = { [Name in keyof All]: { [Given in Name]: All[Given] } & { [Other in Exclude<keyof All, Name>]?: never } }[keyof All];
+
 /** One step of `transform`. Angles are degrees, rotations are about the origin. */
-export type TransformStep =
-  | { scale: number | readonly [number, number, number] }
-  | { rotateX: number }
-  | { rotateY: number }
-  | { rotateZ: number }
-  | { translate: readonly [number, number, number] }
-  | { mirror: 'x' | 'y' | 'z' };
+export type TransformStep = One<{
+  scale: number | readonly [number, number, number];
+  rotateX: number;
+  rotateY: number;
+  rotateZ: number;
+  translate: readonly [number, number, number];
+  mirror: 'x' | 'y' | 'z';
+}>;
 
 /** The shapes of `make` and their parameters. Lengths are in the unit of the coordinates; outlines may be concave. */
 export interface Shapes {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The package for require(): the same functions; the module is imported at the first call.
+// @ts-check
 'use strict';
 
 /** @param {string} name */

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The package in Node: core.wasm and mesh files are read from disk.
+// @ts-check
 
 import { readFile } from 'node:fs/promises';
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Files of Node, with errors that name them.
+// @ts-check
 
 import { readFileSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import process from 'node:process';

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Turns the ids of an error into places in space, so that a program can point at them.
+// @ts-check
 
 /**
  * The vertices each id of an error stands for.

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The shapes of make(): their parameters in the order the core takes them, and their defaults.
+// @ts-check
 
 import { describe } from './arguments.js';
 import { invalidArgument } from './errors.js';

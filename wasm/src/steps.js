@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The steps of transform(): which exist, what they take.
+// @ts-check
 
 import { describe } from './arguments.js';
 import { invalidArgument } from './errors.js';

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
+// @ts-check
 
 import { checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
@@ -9,12 +10,12 @@ import { placesOf } from './places.js';
 import { checkShape } from './shapes.js';
 import { checkSteps } from './steps.js';
 
-/** @typedef {import('../dist/glue.mjs').Core} Core */
-/** @typedef {import('../dist/glue.mjs').CheckedMesh} CheckedMesh */
+/** @typedef {import('./glue_types.js').Core} Core */
+/** @typedef {import('./glue_types.js').CheckedMesh} CheckedMesh */
 
 /**
  * @template Value
- * @typedef {import('../dist/glue.mjs').Answer<Value>} Answer
+ * @typedef {import('./glue_types.js').Answer<Value>} Answer
  */
 
 /**

@@ -3,7 +3,7 @@
 // What the tests of the package share.
 
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join } from 'node:path';
@@ -29,6 +29,11 @@ export function soupOf(mesh) {
 export function run(args, { input = undefined, cwd = undefined } = {}) {
   const done = spawnSync(process.execPath, [command, ...args], { input, cwd, maxBuffer: 1 << 28 });
   return { code: done.status, out: done.stdout.toString(), bytes: done.stdout, err: done.stderr.toString() };
+}
+
+/** Starts the command without waiting for it. */
+export function start(args, { cwd }) {
+  return spawn(process.execPath, [command, ...args], { cwd });
 }
 
 /** A folder that is gone after the test. */

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Reads a verb's command line: options in the order typed, and values that begin with a minus sign.
+// @ts-check
 
 import { parseArgs } from 'node:util';
 

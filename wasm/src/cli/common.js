@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // What the verbs of the command share: options, files or pipes in and out, and printed reports.
+// @ts-check
 
 import { MeshError, invalidArgument } from '../errors.js';
 import { formats } from '../formats.js';

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // An error as a line or two for people.
+// @ts-check
 
 const mostShown = 5;
 

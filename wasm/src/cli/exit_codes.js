@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // What the exit status of the command says.
+// @ts-check
 
 export const exitCode = { ok: 0, checkFailed: 1, usage: 2, badInput: 3, refused: 4, cancelled: 130 };
 

@@ -2,6 +2,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // The command `mortise`: finds the verb, runs it, turns errors into one line and an exit code.
+// @ts-check
 
 import { readFileSync } from 'node:fs';
 import process from 'node:process';

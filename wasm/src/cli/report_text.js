@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // A report as a table for people.
+// @ts-check
 
 const labelWidth = 14;
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // What the certificate of a result says about the file it is written to.
+// @ts-check
 
 /**
  * @typedef {import('../index.js').Mortise} Mortise

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // mortise union|intersect|subtract A B [C...] -o OUT
+// @ts-check
 
 import { invalidArgument } from '../../errors.js';
 import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // mortise inspect FILE
+// @ts-check
 
 import { invalidArgument } from '../../errors.js';
 import { displayName, printReport, readingOptions, readOperand } from '../common.js';

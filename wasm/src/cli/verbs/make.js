@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // mortise make SHAPE -o OUT [parameters]
+// @ts-check
 
 import { invalidArgument } from '../../errors.js';
 import { shapes } from '../../shapes.js';

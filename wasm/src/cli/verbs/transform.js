@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // mortise transform IN -o OUT [steps in the order typed]
+// @ts-check
 
 import { invalidArgument } from '../../errors.js';
 import { parseNumber, parseNumbers } from '../arguments.js';

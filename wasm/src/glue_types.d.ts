@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// What the bindings export; the compiler's own glue carries no types. It lies beside the glue for tsc (rootDirs).
+// What the bindings export; the glue the compiler writes carries no types.
 
-import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, Report } from '../src/index.js';
+import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, Report } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -27,6 +27,6 @@ export interface Core {
   formatOfPath(path: string): Answer<string>;
 }
 
-export default function createGlue(options: {
+export type CreateGlue = (options: {
   instantiateWasm(imports: WebAssembly.Imports, receive: (instance: WebAssembly.Instance, module: WebAssembly.Module) => void): object;
-}): Promise<Core>;
+}) => Promise<Core>;
