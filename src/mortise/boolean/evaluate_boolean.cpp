@@ -99,9 +99,8 @@ BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh*
   const Arrangement arrangement = arrange_until_simple(faces, options, times);
   refuse_operands(operands, faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
-  const std::vector<KeptFacet> kept =
-      timed(times, "select", [&] { return select(operation, faces, arrangement.facets, arrangement.categories); });
-  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, kept); });
+  const Selection selection = timed(times, "select", [&] { return select(operation, faces, arrangement.facets, arrangement.categories); });
+  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
   });

@@ -4,6 +4,7 @@
 #include "mortise/boolean/merge.h"
 
 #include <algorithm>
+#include <map>
 #include <string>
 
 namespace mortise {
@@ -31,10 +32,30 @@ void add_facet(const OperandFaces& faces, const Facets& facets, const KeptFacet&
   provenance.source_operand.push_back(faces.operand[first].value);
   provenance.source_face.push_back(faces.face_in_operand(first));
   provenance.flipped.push_back(kept.is_flipped ? 1 : 0);
+  provenance.category.push_back(kept.category);
   provenance.other_source_begin.push_back(static_cast<std::uint32_t>(provenance.other_source_face.size()));
   for (const FacetSource& s : sources.subspan(1)) {
     provenance.other_source_operand.push_back(faces.operand[s.face].value);
     provenance.other_source_face.push_back(faces.face_in_operand(s.face));
+  }
+}
+
+// Equal sets are stored once, in the order of the first facet.
+void add_covering(const Selection& selection, Provenance& provenance) {
+  std::map<std::vector<OperandId>, std::uint32_t> number_of_set;
+  IdVector<RegionId, std::uint32_t> number_of_region(selection.operands_inside.size(), Provenance::none);
+  for (const KeptFacet& k : selection.kept) {
+    std::uint32_t& number = number_of_region[k.inside];
+    if (number == Provenance::none) {
+      const std::vector<OperandId>& operands = selection.operands_inside[k.inside];
+      const auto [found, is_new] = number_of_set.try_emplace(operands, static_cast<std::uint32_t>(provenance.covering_sets.size()));
+      number = found->second;
+      if (is_new) provenance.covering_sets.emplace_back();
+      for (const OperandId o : operands) {
+        if (is_new) provenance.covering_sets.back().push_back(o.value);
+      }
+    }
+    provenance.covering.push_back(number);
   }
 }
 
@@ -87,11 +108,12 @@ void add_labels(std::span<const SurfaceMesh* const> operands, MergedMesh& merged
 }  // namespace
 
 MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets,
-                 std::span<const KeptFacet> kept) {
+                 const Selection& selection) {
   MergedMesh merged;
+  const std::vector<KeptFacet>& kept = selection.kept;
   const std::vector<VertexId> vertex_of = number_points(faces, facets, kept, merged);
   merged.mesh.triangles.reserve(kept.size());
-  merged.facet_of_triangle.assign(kept.begin(), kept.end());
+  merged.facet_of_triangle = kept;
   merged.is_repaired.assign(kept.size(), 0);
   for (const KeptFacet& k : kept) {
     const PlanePoints& c = facets.corners[k.facet];
@@ -101,6 +123,7 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
     add_facet(faces, facets, k, merged.provenance);
   }
   merged.provenance.other_source_begin.push_back(static_cast<std::uint32_t>(merged.provenance.other_source_face.size()));
+  add_covering(selection, merged.provenance);
   add_vertex_sources(faces, merged);
   add_labels(operands, merged);
   return merged;

@@ -24,6 +24,6 @@ struct MergedMesh {
 /// One mesh of the kept facets; vertices are the nearest doubles of their points (paper 6.3).
 /// O(n).
 [[nodiscard]] MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets,
-                               std::span<const KeptFacet> kept);
+                               const Selection& selection);
 
 }  // namespace mortise

@@ -158,6 +158,8 @@ void keep_triangles(MergedMesh& merged, const std::vector<std::uint8_t>& is_kept
   keep_marked(merged.provenance.source_operand, is_kept);
   keep_marked(merged.provenance.source_face, is_kept);
   keep_marked(merged.provenance.flipped, is_kept);
+  keep_marked(merged.provenance.category, is_kept);
+  keep_marked(merged.provenance.covering, is_kept);
 }
 
 void drop_unused_vertices(MergedMesh& merged) {

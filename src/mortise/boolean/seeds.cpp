@@ -10,6 +10,7 @@
 #include "mortise/base/error.h"
 #include "mortise/base/union_find.h"
 #include "mortise/exact/predicates.h"
+#include "mortise/mesh/ray_crossing.h"
 
 namespace mortise {
 namespace {
@@ -37,7 +38,7 @@ class SeedFinder {
       SourceId face;
       const PointId v = extremes_[i];
       const PointId w = lowest_edge(v, incident, face);
-      seeds.push_back({region_outside(v, w, face, incident), windings_at(v, w, i)});
+      seeds.push_back({region_outside(v, w, face, incident), windings_at(v, w, face, i)});
     }
     return seeds;
   }
@@ -136,47 +137,18 @@ class SeedFinder {
     return first.is_front_after() ? patches_.back[patch] : patches_.front[patch];
   }
 
-  // A point next to `at` on the way to `towards`, moved by a still smaller (epsilon, epsilon^2) in (y, z).
-  struct RayStart {
-    Vec3d at, towards;
-  };
-
-  // Is the start left of a -> b in the projection along x?
-  static Sign turn_at(const Vec3d& a, const Vec3d& b, const RayStart& start) {
-    const Sign turn = orient2d(a, b, start.at, Axis::X);
-    if (turn != Sign::Zero) return turn;
-    const Sign next = orient2d(a, b, start.towards, Axis::X);
-    if (next != Sign::Zero) return next;
-    if (a.z != b.z) return a.z > b.z ? Sign::Positive : Sign::Negative;
-    return a.y < b.y ? Sign::Positive : Sign::Negative;
-  }
-
-  // How much the winding grows across a face on the way from -x infinity to the start.
-  int crossing_before(SourceId f, const RayStart& start) const {
-    const Vec3d& a = faces_.corner_position(f, 0);
-    const Vec3d& b = faces_.corner_position(f, 1);
-    const Vec3d& c = faces_.corner_position(f, 2);
-    const Sign turn = orient2d(a, b, c, Axis::X);
-    if (turn == Sign::Zero) return 0;
-    if (turn_at(a, b, start) != turn || turn_at(b, c, start) != turn || turn_at(c, a, start) != turn) return 0;
-    const Sign side = orient3d(a, b, c, start.at);
-    if ((side != Sign::Zero ? side : orient3d(a, b, c, start.towards)) != turn) return 0;  // the face lies beyond the start
-    return -static_cast<int>(turn);
-  }
-
-  std::vector<int> windings_at(PointId v, PointId w, std::uint32_t own) const {
-    constexpr double infinity = std::numeric_limits<double>::infinity();
-    const RayStart start{faces_.points.nearest(v), faces_.points.nearest(w)};
-    Box3 ray;
-    ray.lo = {-infinity, start.at.y, start.at.z};
-    ray.hi = start.at;
+  // Every edge at the smallest point belongs to one complex, so a start next to one lies on no other.
+  std::vector<int> windings_at(PointId v, PointId w, SourceId face, std::uint32_t own) const {
+    const PlanePoints& c = faces_.corners[face];
+    const PointId x = c[0] != v && c[0] != w ? c[0] : c[1] != v && c[1] != w ? c[1] : c[2];
+    const RayStart start{faces_.points.nearest(v), faces_.points.nearest(w), faces_.points.nearest(x)};
     std::vector<int> winding(faces_.operand_count(), 0);
     for (std::size_t k = 0; k < winding.size(); ++k) {
       const OperandId operand(k);
-      faces_.trees[operand].for_each_meeting(ray, [&](std::uint32_t i) {
+      faces_.trees[operand].for_each_meeting(ray_box(start), [&](std::uint32_t i) {
         const SourceId f(faces_.first[operand] + i);
         if (faces_.shape[f] != FaceShape::Proper || complex_of_face_[f] == own) return;
-        winding[k] += crossing_before(f, start);
+        winding[k] += winding_step(faces_.corner_position(f, 0), faces_.corner_position(f, 1), faces_.corner_position(f, 2), start);
       });
     }
     return winding;

@@ -3,6 +3,8 @@
 // One table of predicates, one rule.
 #include "mortise/boolean/select.h"
 
+#include <algorithm>
+
 namespace mortise {
 
 std::string_view operation_name(Operation operation) {
@@ -29,19 +31,55 @@ bool is_inside_result(Operation operation, const RunningWinding& winding) {
   return false;
 }
 
-std::vector<KeptFacet> select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
-  const Patches& patches = categories.patches;
-  IdVector<RegionId, std::uint8_t> is_inside(patches.region_count, 0);
-  walk_regions(faces, facets, categories,
-               [&](RegionId r, const RunningWinding& w) { is_inside[r] = is_inside_result(operation, w) ? 1 : 0; });
-  std::vector<KeptFacet> kept;
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    const PatchId patch = patches.patch_of_facet[FacetId(i)];
-    const bool in_front = is_inside[patches.front[patch]] != 0;
-    const bool behind = is_inside[patches.back[patch]] != 0;
-    if (in_front != behind) kept.push_back({FacetId(i), in_front});
+namespace {
+
+// What the walk leaves behind for each region.
+struct RegionNote {
+  bool is_inside = false;
+  std::uint32_t inside_count = 0;  // operands that contain it
+};
+
+FacetCategory category_of(const OperandFaces& faces, std::span<const FacetSource> sources, std::uint32_t others_inside) {
+  const OperandId own = faces.operand[sources.front().face];
+  bool coincides = false;
+  for (const FacetSource& s : sources) {
+    if (faces.operand[s.face] == own) continue;
+    if (!s.is_opposite) return FacetCategory::OnSame;
+    coincides = true;
   }
-  return kept;
+  if (coincides) return FacetCategory::OnOpposite;
+  return others_inside > 0 ? FacetCategory::Inside : FacetCategory::Outside;
+}
+
+std::vector<OperandId> operands_inside(const RunningWinding& winding) {
+  std::vector<OperandId> inside;
+  for (std::size_t k = 0; inside.size() < winding.inside_count(); ++k) {
+    if (winding.is_inside(OperandId(k))) inside.push_back(OperandId(k));
+  }
+  return inside;
+}
+
+}  // namespace
+
+Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  const Patches& patches = categories.patches;
+  Selection selection;
+  selection.operands_inside.resize(patches.region_count);
+  IdVector<RegionId, RegionNote> notes(patches.region_count);
+  walk_regions(faces, facets, categories, [&](RegionId r, const RunningWinding& w) {
+    notes[r] = {is_inside_result(operation, w), static_cast<std::uint32_t>(w.inside_count())};
+    if (notes[r].is_inside) selection.operands_inside[r] = operands_inside(w);
+  });
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const FacetId f(i);
+    const RegionId front = patches.front[patches.patch_of_facet[f]];
+    const RegionId back = patches.back[patches.patch_of_facet[f]];
+    if (notes[front].is_inside == notes[back].is_inside) continue;
+    const std::uint32_t others = std::min(notes[front].inside_count, notes[back].inside_count);
+    selection.kept.push_back(
+        {f, notes[front].is_inside, category_of(faces, facets.sources_of(f), others), notes[front].is_inside ? front : back});
+  }
+  return selection;
 }
 
 }  // namespace mortise

@@ -7,6 +7,7 @@
 
 #include "mortise/boolean/categorize.h"
 #include "mortise/boolean/operation.h"
+#include "mortise/mesh/provenance.h"
 
 namespace mortise {
 
@@ -14,14 +15,20 @@ namespace mortise {
 struct KeptFacet {
   FacetId facet;
   bool is_flipped = false;  ///< the inside of the result lies in front of the facet
+  FacetCategory category = FacetCategory::Outside;
+  RegionId inside;  ///< on its inner side
+};
+
+struct Selection {
+  std::vector<KeptFacet> kept;                                 ///< ascending
+  IdVector<RegionId, std::vector<OperandId>> operands_inside;  ///< operands that contain a region of the result; else empty
 };
 
 /// Does a region with these windings belong to the result?
 [[nodiscard]] bool is_inside_result(Operation operation, const RunningWinding& winding);
 
-/// The facets of the result, ascending (paper 6.2, Fig. 16: the tags 10, 11, 20, 21 are names for the four cases of n = 2).
+/// The facets of the result (paper 6.2, Fig. 16: the tags 10, 11, 20, 21 are names for the four cases of n = 2).
 /// O(facets + regions).
-[[nodiscard]] std::vector<KeptFacet> select(Operation operation, const OperandFaces& faces, const Facets& facets,
-                                            const Categories& categories);
+[[nodiscard]] Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories);
 
 }  // namespace mortise

@@ -102,6 +102,8 @@ class SliverSwapper {
     p.source_operand[t.index()] = p.source_operand[n.index()];
     p.source_face[t.index()] = p.source_face[n.index()];
     p.flipped[t.index()] = p.flipped[n.index()];
+    p.category[t.index()] = p.category[n.index()];
+    p.covering[t.index()] = p.covering[n.index()];
     copy_other_sources(t, n);
     swapped_.push_back(t);
     swapped_.push_back(n);

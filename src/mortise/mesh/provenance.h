@@ -8,13 +8,24 @@
 
 namespace mortise {
 
+/// How a facet of a result lies to the operands other than its own (the paper's tags: 10 and 20 Outside, 11 and 21 Inside).
+enum class FacetCategory : std::uint8_t {
+  Outside,     ///< outside all of them
+  Inside,      ///< inside one at least
+  OnSame,      ///< coincides with a face of another operand, both run the same way
+  OnOpposite,  ///< coincides with faces of another operand, all of them opposite
+};
+
 /// Where every facet and vertex of a result comes from.
 struct Provenance {
-  std::vector<std::uint32_t> source_operand;        ///< per facet; the lowest operand where several coincide
-  std::vector<std::uint32_t> source_face;           ///< per facet: triangle of that operand
-  std::vector<std::uint8_t> flipped;                ///< per facet: 1 when it runs against its source
-  std::vector<std::uint32_t> other_source_begin;    ///< CSR: facet count + 1 offsets into the two arrays below
-  std::vector<std::uint32_t> other_source_operand;  ///< further sources that coincide with a facet
+  std::vector<std::uint32_t> source_operand;              ///< per facet; the lowest operand where several coincide
+  std::vector<std::uint32_t> source_face;                 ///< per facet: triangle of that operand
+  std::vector<std::uint8_t> flipped;                      ///< per facet: 1 when it runs against its source
+  std::vector<FacetCategory> category;                    ///< per facet
+  std::vector<std::uint32_t> covering;                    ///< per facet: index into covering_sets
+  std::vector<std::vector<std::uint32_t>> covering_sets;  ///< operands that contain the space just behind a facet, ascending
+  std::vector<std::uint32_t> other_source_begin;          ///< CSR: facet count + 1 offsets into the two arrays below
+  std::vector<std::uint32_t> other_source_operand;        ///< further sources that coincide with a facet
   std::vector<std::uint32_t> other_source_face;
   std::vector<std::uint32_t> vertex_operand;  ///< per vertex: operand of its source vertex, or none
   std::vector<std::uint32_t> vertex_source;   ///< per vertex: vertex of that operand, or none for a made vertex
