@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <random>
 
+#include "mortise/base/bits.h"
 #include "support/catch.h"
 #include "support/test_scale.h"
 
@@ -97,7 +97,7 @@ TEST_CASE("atan2 treats zeros and infinities with their signs as C does", "[base
   for (const double y : values) {
     for (const double x : values) {
       INFO("atan2(" << y << ", " << x << ")");
-      CHECK(std::bit_cast<std::uint64_t>(trig::atan2(y, x)) == std::bit_cast<std::uint64_t>(std::atan2(y, x)));
+      CHECK(cast_bits<std::uint64_t>(trig::atan2(y, x)) == cast_bits<std::uint64_t>(std::atan2(y, x)));
     }
   }
   CHECK(std::isnan(trig::atan2(nan, 1)));
@@ -166,7 +166,7 @@ TEST_CASE("Arguments without an answer give NaN, and limits are those of the fun
 
 TEST_CASE("The bits are the same on every machine", "[base][trig]") {
   std::uint64_t hash = 0xcbf29ce484222325U;
-  const auto add = [&hash](double value) { hash = (hash ^ std::bit_cast<std::uint64_t>(value)) * 0x100000001b3U; };
+  const auto add = [&hash](double value) { hash = (hash ^ cast_bits<std::uint64_t>(value)) * 0x100000001b3U; };
   std::mt19937_64 random(1);
   for (int i = 0; i < 20'000; ++i) {
     const double x = random_of_any_size(random, -60, 200);

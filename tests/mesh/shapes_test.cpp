@@ -3,12 +3,12 @@
 // Every shape has the promised counts, is closed and outward, meets itself nowhere, and has the same bits everywhere.
 #include "mortise/mesh/shapes.h"
 
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <vector>
 
+#include "mortise/base/bits.h"
 #include "mortise/mesh/weld.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
@@ -57,7 +57,7 @@ ErrorCode code_of(const std::function<void()>& call) {
 void add_bits(std::uint64_t& hash, const SurfaceMesh& mesh) {
   const auto add = [&hash](std::uint64_t bits) { hash = (hash ^ bits) * 0x100000001b3U; };
   for (const Vec3d& p : mesh.points) {
-    for (const double x : {p.x, p.y, p.z}) add(std::bit_cast<std::uint64_t>(x));
+    for (const double x : {p.x, p.y, p.z}) add(cast_bits<std::uint64_t>(x));
   }
   for (const Triangle& t : mesh.triangles) {
     for (const VertexId v : t) add(v.value);

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <map>
 #include <set>
 #include <utility>
 
+#include "mortise/base/bits.h"
 #include "support/boolean_oracle.h"
 
 namespace mortise::test {
@@ -25,7 +25,7 @@ void for_each_directed_edge(const SurfaceMesh& mesh, Visit visit) {
 }
 
 std::array<std::uint64_t, 3> bits_of(const Vec3d& p) {
-  return {std::bit_cast<std::uint64_t>(p.x), std::bit_cast<std::uint64_t>(p.y), std::bit_cast<std::uint64_t>(p.z)};
+  return {cast_bits<std::uint64_t>(p.x), cast_bits<std::uint64_t>(p.y), cast_bits<std::uint64_t>(p.z)};
 }
 
 }  // namespace
