@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstddef>
 #include <initializer_list>
+#include <span>
 
 #include "mortise/exact/double_double.h"
 #include "mortise/exact/sign.h"
@@ -14,8 +15,56 @@
 
 namespace mortise {
 
-/// The sum of `size` terms, none zero, of growing magnitude and nonoverlapping: the sign is that of the last one. Exact as
-/// long as no operation overflows or underflows; whoever starts a computation checks the range of its input.
+/// Terms of growing magnitude that do not overlap, none of them zero; their sum is the number.
+using ExpansionTerms = std::span<const double>;
+
+/// Writes the terms of a + b, at most a.size() + b.size(), and returns how many there are. Shewchuk's LINEAR-EXPANSION-SUM:
+/// it asks no more of the terms than that they do not overlap.
+[[nodiscard]] inline std::size_t add_expansions(ExpansionTerms a, ExpansionTerms b, double* result) {
+  std::size_t i = 0, j = 0, size = 0;
+  const auto take_smallest = [&] {
+    const bool from_a = j == b.size() || (i < a.size() && std::fabs(a[i]) < std::fabs(b[j]));
+    return from_a ? a[i++] : b[j++];
+  };
+  const auto push = [&](double term) {
+    if (term != 0) result[size++] = term;
+  };
+  const std::size_t total = a.size() + b.size();
+  if (total == 0) return 0;
+  ExactSum sum{take_smallest(), 0};
+  if (total > 1) sum = quick_two_sum(take_smallest(), sum.sum);
+  for (std::size_t k = 2; k < total; ++k) {
+    const ExactSum next = quick_two_sum(take_smallest(), sum.error);
+    push(next.error);
+    sum = two_sum(sum.sum, next.sum);
+  }
+  push(sum.error);
+  push(sum.sum);
+  return size;
+}
+
+/// Writes the terms of a * factor, at most 2 a.size(), and returns how many there are. Shewchuk's SCALE-EXPANSION.
+[[nodiscard]] inline std::size_t scale_expansion(ExpansionTerms a, double factor, double* result) {
+  std::size_t size = 0;
+  const auto push = [&](double term) {
+    if (term != 0) result[size++] = term;
+  };
+  if (a.empty()) return 0;
+  ExactSum high = two_product(a[0], factor);
+  push(high.error);
+  for (std::size_t i = 1; i < a.size(); ++i) {
+    const ExactSum product = two_product(a[i], factor);
+    const ExactSum low = two_sum(high.sum, product.error);
+    push(low.error);
+    high = quick_two_sum(product.sum, low.sum);
+    push(high.error);
+  }
+  push(high.sum);
+  return size;
+}
+
+/// A number of at most Capacity terms; its sign is that of the last. Exact as long as no operation overflows or underflows:
+/// whoever starts a computation checks the range of its input.
 template <std::size_t Capacity>
 struct Expansion {
   std::size_t size = 0;
@@ -44,28 +93,10 @@ template <std::size_t N>
   return a;
 }
 
-/// Shewchuk's LINEAR-EXPANSION-SUM: asks no more of its terms than that they do not overlap.
 template <std::size_t N, std::size_t M>
 [[nodiscard]] Expansion<N + M> operator+(const Expansion<N>& a, const Expansion<M>& b) {
   Expansion<N + M> result;
-  std::size_t i = 0, j = 0;
-  const auto smallest = [&] {
-    if (j == b.size || (i < a.size && std::fabs(a.terms[i]) < std::fabs(b.terms[j]))) return a.terms[i++];
-    return b.terms[j++];
-  };
-  const std::size_t total = a.size + b.size;
-  if (total == 0) return result;
-  double high = smallest(), low = 0;
-  for (std::size_t k = 1; k < total; ++k) {
-    const double term = smallest();
-    const ExactSum r = k == 1 ? ExactSum{term, 0} : quick_two_sum(term, low);
-    if (k > 1) result.push(r.error);
-    const ExactSum q = k == 1 ? quick_two_sum(term, high) : two_sum(high, r.sum);
-    high = q.sum;
-    low = q.error;
-  }
-  result.push(low);
-  result.push(high);
+  result.size = add_expansions({a.terms.data(), a.size}, {b.terms.data(), b.size}, result.terms.data());
   return result;
 }
 
@@ -74,21 +105,10 @@ template <std::size_t N, std::size_t M>
   return a + (-b);
 }
 
-/// Shewchuk's SCALE-EXPANSION.
 template <std::size_t N>
 [[nodiscard]] Expansion<2 * N> scaled(const Expansion<N>& a, double factor) {
   Expansion<2 * N> result;
-  if (a.size == 0) return result;
-  ExactSum q = two_product(a.terms[0], factor);
-  result.push(q.error);
-  for (std::size_t i = 1; i < a.size; ++i) {
-    const ExactSum product = two_product(a.terms[i], factor);
-    const ExactSum s = two_sum(q.sum, product.error);
-    result.push(s.error);
-    q = quick_two_sum(product.sum, s.sum);
-    result.push(q.error);
-  }
-  result.push(q.sum);
+  result.size = scale_expansion({a.terms.data(), a.size}, factor, result.terms.data());
   return result;
 }
 
@@ -97,10 +117,7 @@ template <std::size_t N>
 [[nodiscard]] Expansion<4 * N> operator*(const Expansion<N>& a, const Expansion<2>& b) {
   if (b.size == 2) return scaled(a, b.terms[0]) + scaled(a, b.terms[1]);
   Expansion<4 * N> result;
-  if (b.size == 0) return result;
-  const Expansion<2 * N> only = scaled(a, b.terms[0]);
-  result.size = only.size;
-  for (std::size_t i = 0; i < only.size; ++i) result.terms[i] = only.terms[i];
+  if (b.size == 1) result.size = scale_expansion({a.terms.data(), a.size}, b.terms[0], result.terms.data());
   return result;
 }
 

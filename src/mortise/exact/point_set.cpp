@@ -15,6 +15,7 @@
 #include "mortise/exact/big_float.h"
 #include "mortise/exact/construction.h"
 #include "mortise/exact/double_double.h"
+#include "mortise/exact/equal_coordinates.h"
 #include "mortise/exact/filters.h"
 #include "mortise/exact/formulas.h"
 #include "mortise/exact/point_table.h"
@@ -259,6 +260,10 @@ Answer PointSet::explain_orient2d(PointId a, PointId b, PointId c, Axis axis) co
   if (const auto sign = filters::orient2d(s.near_point(a), s.near_point(b), s.near_point(c), axis)) return {*sign, Rung::Filter};
   const ThreePoints points{a, b, c};
   if (s.share_known_line(points) || s.share_known_planes(points)) return {Sign::Zero, Rung::Construction};
+  const auto compare_near = [&](std::size_t i, std::size_t j, std::size_t coordinate) {
+    return compare_rounded(s.rounded(points[i], coordinate), s.rounded(points[j], coordinate));
+  };
+  if (const auto sign = orient2d_of_equal_coordinates(axis, compare_near)) return {*sign, Rung::Construction};
   if (const auto sign = certain_sign(s.near_orient2d(points, axis))) return {*sign, Rung::DoubleDouble};
   return {s.exact_orient2d(points, axis), Rung::BigFloat};
 }

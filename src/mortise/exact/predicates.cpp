@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// The ladder of the predicates over input points: filter, exact.
+// The ladder of the predicates over input points: filter, equal coordinates, exact.
 #include "mortise/exact/predicates.h"
 
 #include <array>
@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "mortise/exact/big_float.h"
+#include "mortise/exact/equal_coordinates.h"
 #include "mortise/exact/expansion.h"
 #include "mortise/exact/filters.h"
 #include "mortise/exact/formulas.h"
@@ -17,12 +18,18 @@ namespace mortise {
 
 Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
   if (const auto sign = filters::orient3d(a, b, c, {d, {}})) return {*sign, Rung::Filter};
+  if (const auto flat = find_axis_triangle(a, b, c, d)) {
+    if (flat->side == Sign::Zero) return {Sign::Zero, Rung::Construction};
+    const Answer answer = explain_orient2d(*flat->corners[0], *flat->corners[1], *flat->corners[2], flat->axis);
+    return {flat->side * answer.sign, answer.rung};
+  }
   if (is_in_expansion_range({a, b, c, d})) return {orient3d_value<Expansion<2>>(a, b, c, d).sign(), Rung::Expansion};
   return {orient3d_value<BigFloat>(a, b, c, d).sign(), Rung::BigFloat};
 }
 
 Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
   if (const auto sign = filters::orient2d(a, b, c, axis)) return {*sign, Rung::Filter};
+  if (const auto sign = orient2d_of_equal_coordinates(a, b, c, axis)) return {*sign, Rung::Construction};
   if (is_in_expansion_range({a, b, c})) return {orient2d_value<Expansion<2>>(a, b, c, axis).sign(), Rung::Expansion};
   return {orient2d_value<BigFloat>(a, b, c, axis).sign(), Rung::BigFloat};
 }
