@@ -55,7 +55,7 @@ class Certifier {
     constexpr double half_ulp = 0x1p-53;
     const Vec3d bound{half_ulp * p.x, half_ulp * p.y, half_ulp * p.z};
     double& largest = result_.certificate.largest_displacement;
-    largest = std::fmax(largest, std::sqrt(dot(bound, bound)));
+    largest = std::max(largest, std::sqrt(dot(bound, bound)));
   }
 
   void find_moved() {

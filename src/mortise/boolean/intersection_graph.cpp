@@ -105,7 +105,7 @@ class ChainTracer {
 };
 
 double length_of(const Vec3d& v) {
-  const double largest = std::fmax(std::fabs(v.x), std::fmax(std::fabs(v.y), std::fabs(v.z)));
+  const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
   if (largest == 0) return 0;
   const Vec3d unit{v.x / largest, v.y / largest, v.z / largest};
   return largest * std::sqrt(dot(unit, unit));

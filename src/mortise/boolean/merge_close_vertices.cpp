@@ -73,7 +73,7 @@ void replace_corners(const Replacement& replacement, MergedMesh& merged) {
       const VertexId other = replacement.find(v);
       if (other == v) continue;
       const Vec3d gap = merged.mesh.points[other.index()] - merged.mesh.points[v.index()];
-      merged.repair_displacement = std::fmax(merged.repair_displacement, std::sqrt(dot(gap, gap)));
+      merged.repair_displacement = std::max(merged.repair_displacement, std::sqrt(dot(gap, gap)));
       merged.is_repaired[t] = 1;
       v = other;
     }

@@ -85,7 +85,7 @@ class SliverSwapper {
     const VertexId w = c[0] != u && c[0] != v ? c[0] : c[1] != u && c[1] != v ? c[1] : c[2];
     if (w == a || !find(a, w).empty() || !find(w, a).empty()) return false;
     replace(t, n, {a, u, w}, {w, v, a});
-    merged_.repair_displacement = std::fmax(merged_.repair_displacement, height);
+    merged_.repair_displacement = std::max(merged_.repair_displacement, height);
     return true;
   }
 

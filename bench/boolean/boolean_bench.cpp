@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size.
+// Prints medians of eleven runs in milliseconds, and the peak memory of the process.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mortise/base/stopwatch.h"
+#include "mortise/mortise.h"
+
+namespace {
+
+using namespace mortise;
+
+double median(std::vector<double> values) {
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+void time_operation(const std::string& name, Operation operation, const SurfaceMesh& a, const SurfaceMesh& b) {
+  constexpr int runs = 11;
+  std::vector<double> totals;
+  std::map<std::string, std::vector<double>> stages;
+  std::vector<std::string> order;
+  const SurfaceMesh* const operands[] = {&a, &b};
+  for (int run = 0; run < runs; ++run) {
+    const Stopwatch watch;
+    const BooleanResult result = evaluate_boolean(operation, operands);
+    totals.push_back(watch.milliseconds());
+    for (const StageTime& s : result.report.stages) {
+      if (run == 0) order.push_back(s.stage);
+      stages[s.stage].push_back(s.milliseconds);
+    }
+  }
+  std::printf("%-34s %-9s %8zu + %7zu triangles  %9.2f ms  (", name.c_str(), std::string(operation_name(operation)).c_str(),
+              a.triangles.size(), b.triangles.size(), median(totals));
+  for (const std::string& s : order) std::printf("%s %.2f%s", s.c_str(), median(stages[s]), s == order.back() ? ")\n" : ", ");
+}
+
+void time_pair(const std::string& name, const SurfaceMesh& a, const SurfaceMesh& b) {
+  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) time_operation(name, operation, a, b);
+}
+
+void time_generated() {
+  for (const std::uint32_t levels : {4U, 5U, 6U, 7U}) {
+    const SurfaceMesh sphere = make_icosphere(1, levels);
+    const AffineMap place = compose(rotation(Axis::X, 17), translation({0.5, 0.3, 0.1}));
+    time_pair("icospheres", sphere, transform(sphere, place));
+  }
+  const SurfaceMesh plate = transform(make_box({0, 0, 0}, {1, 1, 1}), scaling({20, 20, 1}));
+  time_pair("plate and torus, coplanar rings", plate, transform(make_torus(4, 1, 512, 64), translation({10, 10, 1})));
+  time_pair("two boxes sharing a face", make_box({0, 0, 0}, {1, 1, 1}), make_box({1, 0, 0}, {2, 1, 1}));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    if (argc == 3) {
+      time_pair(std::string(argv[1]) + " " + argv[2], read_mesh_file(argv[1]), read_mesh_file(argv[2]));
+    } else {
+      time_generated();
+    }
+  } catch (const Error& error) {
+    std::fprintf(stderr, "%s: %s\n", error.stage.c_str(), error.what());
+    return 1;
+  }
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  std::printf("peak memory %ld MB\n", usage.ru_maxrss / 1024);
+  return 0;
+}
