@@ -37,7 +37,10 @@ struct NamedShape {
 };
 
 constexpr std::array<NamedShape, 9> named_shapes{{
-    {"box", 6, [](Numbers n) { return make_box({n[0], n[1], n[2]}, {n[3], n[4], n[5]}); }},
+    {"box", 6,
+     [](Numbers n) {
+       return make_box({n[0], n[1], n[2]}, {n[3], n[4], n[5]});
+     }},
     {"sphere", 3, [](Numbers n) { return make_sphere(n[0], count_from(n[1]), count_from(n[2])); }},
     {"icosphere", 2, [](Numbers n) { return make_icosphere(n[0], count_from(n[1])); }},
     {"cylinder", 3, [](Numbers n) { return make_cylinder(n[0], n[1], count_from(n[2])); }},

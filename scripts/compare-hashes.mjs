@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Compares the native library with the npm package, bit for bit: SHA-256 of the raw little-endian arrays of every scene of
+// tests/tools/scenes.txt and of every small scene of the unit tests. Real meshes come from MORTISE_DATA.
+// usage: compare-hashes.mjs [path of the native tool result_hashes]
+
+import { execFileSync } from 'node:child_process';
+import { createHash } from 'node:crypto';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import process from 'node:process';
+import { fileURLToPath } from 'node:url';
+
+import { load, MeshError } from 'mortise';
+
+const repository = fileURLToPath(new URL('..', import.meta.url));
+const sceneList = join(repository, 'tests/tools/scenes.txt');
+const tool = process.argv[2] ?? join(repository, 'build/release/tests/result_hashes');
+const dataFolder = process.env.MORTISE_DATA ?? join(repository, '../shared/data');
+const shapeNames = { grid_sheet: 'gridSheet' };
+const mortise = await load();
+
+const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
+
+/** The bytes of a typed array. */
+const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+
+/** make() parameters from numbers in the order of the C++ function. */
+function makeShape(name, numbers) {
+  const pairs = (list) => list.flatMap((x, i) => (i % 2 === 0 ? [[x, list[i + 1]]] : []));
+  const [a, b, c, d] = numbers;
+  const parameters = {
+    box: () => ({ lo: numbers.slice(0, 3), hi: numbers.slice(3) }),
+    sphere: () => ({ radius: a, around: b, rings: c }),
+    icosphere: () => ({ radius: a, levels: b }),
+    cylinder: () => ({ radius: a, height: b, around: c }),
+    cone: () => ({ radius: a, height: b, around: c }),
+    torus: () => ({ majorRadius: a, minorRadius: b, around: c, across: d }),
+    grid_sheet: () => ({ width: a, depth: b, cellsX: c, cellsY: d }),
+    extrude: () => ({ height: a, outline: pairs(numbers.slice(1)) }),
+    revolve: () => ({ around: a, profile: pairs(numbers.slice(1)) }),
+  };
+  return mortise.make(shapeNames[name] ?? name, parameters[name]());
+}
+
+/** @param {string} move "rx=90", "t=1,2,3" */
+function stepOf(move) {
+  const [name, numbers] = move.split('=');
+  const list = numbers?.split(',').map(Number);
+  if (name === 's') return { scale: list[0] };
+  if (name === 't') return { translate: list };
+  if (name[0] === 'r') return { [`rotate${name[1].toUpperCase()}`]: list[0] };
+  return { mirror: name[1] };
+}
+
+/** @param {string} text "make torus 2 0.5 48 24 ; rx=90 t=1,2,3" */
+function operandOf(text) {
+  const [source, moves = ''] = text.split(';');
+  const words = source.trim().split(/\s+/);
+  const mesh = words[0] === 'make' ? makeShape(words[1], words.slice(2).map(Number)) : mortise.readMesh(join(dataFolder, words[0]));
+  const steps = moves.trim() === '' ? [] : moves.trim().split(/\s+/).map(stepOf);
+  return steps.reduce((moved, step) => mortise.transform(moved, [step]), mesh);
+}
+
+/** Operands as the native tool wrote them. */
+function storedOperands(folder) {
+  const count = readdirSync(folder).filter((name) => /^operand\d+\.positions$/.test(name)).length;
+  return Array.from({ length: count }, (_, k) => {
+    const read = (name) => Uint8Array.from(readFileSync(join(folder, `operand${k}.${name}`))).buffer;
+    return { positions: new Float64Array(read('positions')), triangles: new Uint32Array(read('triangles')) };
+  });
+}
+
+/** Names and bytes of what the native tool writes for one operation. */
+function outcome(operation, operands) {
+  try {
+    const { mesh, provenance, graph, report } = mortise[operation](operands);
+    const { volume, area, minAngleDeg, maxAngleDeg, contact } = report;
+    const arrays = {
+      positions: mesh.positions,
+      triangles: mesh.triangles,
+      ...provenance,
+      graphPoints: graph.points,
+      graphEdges: graph.edges,
+      graphChains: Uint32Array.from(graph.chains.flatMap((chain) => [...chain])),
+      measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area),
+      'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
+      stl: mortise.writeMesh(mesh, { format: 'stl' }),
+    };
+    return Object.entries(arrays).map(([name, array]) => [`${operation}.${name}`, bytesOf(array)]);
+  } catch (error) {
+    if (!(error instanceof MeshError)) throw error;
+    return [[`${operation}.error`, new TextEncoder().encode(error.code)]];
+  }
+}
+
+/** Every array of a scene by name. */
+function arraysOf(operands) {
+  const given = operands.flatMap(({ positions, triangles }, k) => [
+    [`operand${k}.positions`, bytesOf(positions)],
+    [`operand${k}.triangles`, bytesOf(triangles)],
+  ]);
+  return new Map([...given, ...['union', 'intersect', 'subtract'].flatMap((operation) => outcome(operation, operands))]);
+}
+
+/** The first few of many names. */
+const summary = (names) => `${names.slice(0, 4).join(', ')}${names.length > 4 ? `, ... ${names.length} arrays` : ''}`;
+
+/** Compares one scene, prints a line, answers whether all is equal. */
+function compareScene(folder, operands) {
+  const name = readFileSync(join(folder, 'name'), 'utf8');
+  const ours = arraysOf(operands);
+  const files = new Set([...readdirSync(folder).filter((file) => file !== 'name'), ...ours.keys()]);
+  const total = createHash('sha256');
+  const different = [...files].sort().filter((file) => {
+    const native = existsSync(join(folder, file)) ? sha256(readFileSync(join(folder, file))) : 'absent';
+    total.update(native);
+    return native !== (ours.has(file) ? sha256(ours.get(file)) : 'absent');
+  });
+  const verdict = different.length === 0 ? 'same     ' : 'DIFFERENT';
+  console.log(`${verdict} ${total.digest('hex').slice(0, 16)}  ${name}${different.length === 0 ? '' : `: ${summary(different)}`}`);
+  return different.length === 0;
+}
+
+/** Operands of the scene a folder was written for. */
+function operandsFor(folderName, folder, lines) {
+  if (!folderName.startsWith('listed-')) return storedOperands(folder);
+  const line = lines[Number(folderName.slice('listed-'.length)) - 1];
+  return line.slice(line.indexOf(' : ') + 3).split('|').map(operandOf);
+}
+
+const byNumber = (a, b) => a.localeCompare(b, 'en', { numeric: true });
+const out = mkdtempSync(join(tmpdir(), 'mortise-hashes-'));
+try {
+  const data = existsSync(dataFolder) ? [dataFolder] : [];
+  execFileSync(tool, [sceneList, out, ...data], { stdio: 'inherit' });
+  const lines = readFileSync(sceneList, 'utf8').split('\n');
+  const folders = readdirSync(out).sort(byNumber);
+  const same = folders.filter((name) => compareScene(join(out, name), operandsFor(name, join(out, name), lines)));
+  console.log(`${same.length} of ${folders.length} scenes have the same bits natively and in WebAssembly${data.length === 0 ? ' (no real meshes here)' : ''}`);
+  process.exitCode = same.length === folders.length && folders.length > 0 ? 0 : 1;
+} finally {
+  rmSync(out, { recursive: true, force: true });
+}
