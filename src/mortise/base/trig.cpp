@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <limits>
 
+#include "mortise/base/bits.h"
+
 namespace mortise::trig {
 namespace {
 
@@ -27,6 +29,10 @@ constexpr double radian_in_degrees = 0x1.ca5dc1a63c1f8p+5;
 constexpr double ln2 = 0x1.62e42fefa39efp-1;
 constexpr double ln2_high = 0x1.62e42feep-1;  // 32 bits: exact times an exponent
 constexpr Two ln2_low{0x1.a39ef35793c76p-33, 0x1.cc01f97b57a08p-87};
+
+bool has_sign_bit(double x) { return cast_bits<std::uint64_t>(x) >> 63 != 0; }
+
+double with_sign_of(double x, double size) { return has_sign_bit(x) ? -size : size; }
 
 Two exact_sum(double a, double b) {
   const double sum = a + b;
@@ -257,7 +263,7 @@ double angle_of(const Two& y, const Two& x) {
 /// As atan2, when the smaller of the two sizes is zero or negligible.
 double angle_near_axis(double y, double x, bool is_steep) {
   if (is_steep) return y < 0 ? -half_pi.hi : half_pi.hi;
-  if (std::signbit(x)) return std::signbit(y) ? -pi.hi : pi.hi;
+  if (has_sign_bit(x)) return has_sign_bit(y) ? -pi.hi : pi.hi;
   return x == 0 ? y : y / x;
 }
 
@@ -283,9 +289,7 @@ double atan2(double y, double x) {
   if (y != y || x != x) return nan;
   const bool x_is_infinite = std::fabs(x) == infinity;
   const bool y_is_infinite = std::fabs(y) == infinity;
-  if (x_is_infinite || y_is_infinite) {
-    return atan2(std::copysign(y_is_infinite ? 1.0 : 0.0, y), std::copysign(x_is_infinite ? 1.0 : 0.0, x));
-  }
+  if (x_is_infinite || y_is_infinite) return atan2(with_sign_of(y, y_is_infinite ? 1 : 0), with_sign_of(x, x_is_infinite ? 1 : 0));
   const bool is_steep = std::fabs(y) > std::fabs(x);
   const double larger = is_steep ? std::fabs(y) : std::fabs(x);
   int exponent = 0;
