@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mortise/exact/predicates.h"
+#include "mortise/geom/box_tree.h"
 
 namespace mortise {
 namespace {
@@ -41,29 +42,62 @@ class PairList {
   std::vector<Pair> pairs_;
 };
 
-void add_pairs_between(const OperandFaces& faces, OperandId k, OperandId m, PairList& pairs) {
-  const std::uint32_t first_k = faces.first[k];
-  const std::uint32_t first_m = faces.first[m];
-  for_each_meeting_pair(faces.trees[k], faces.trees[m], [&](std::uint32_t i, std::uint32_t j) { pairs.add(first_k + i, first_m + j); });
+// The faces of one operand that may touch anything, and a tree of their boxes.
+struct Reach {
+  std::vector<SourceId> faces;
+  BoxTree tree;
+};
+
+// Where an operand can meet the others: the box round all meetings of its bounds with theirs.
+Box3 meeting_box(const OperandFaces& faces, OperandId k) {
+  Box3 result;
+  const Box3& own = faces.bounds[k];
+  for (std::size_t m = 0; m < faces.operand_count(); ++m) {
+    const Box3& other = faces.bounds[OperandId(m)];
+    if (m == k.index() || !boxes_meet(own, other)) continue;
+    Box3 common;
+    for (std::size_t i = 0; i < 3; ++i) {
+      common.lo[i] = std::max(own.lo[i], other.lo[i]);
+      common.hi[i] = std::min(own.hi[i], other.hi[i]);
+    }
+    result.extend(common);
+  }
+  return result;
 }
 
-void add_pairs_within(const OperandFaces& faces, OperandId k, PairList& pairs) {
-  const std::uint32_t first = faces.first[k];
-  if (faces.self_contacts[k] == SelfContacts::All) {
-    for_each_meeting_pair_within(faces.trees[k], [&](std::uint32_t i, std::uint32_t j) { pairs.add(first + i, first + j); });
-    return;
+Reach find_reach(const OperandFaces& faces, OperandId k) {
+  const bool is_complete = faces.self_contacts[k] != SelfContacts::None;
+  const Box3 meeting = is_complete ? faces.bounds[k] : meeting_box(faces, k);
+  Reach reach;
+  std::vector<Box3> boxes;
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
+    const Box3 box = faces.box(SourceId(f));
+    if (!boxes_meet(box, meeting)) continue;
+    reach.faces.push_back(SourceId(f));
+    boxes.push_back(box);
   }
-  if (faces.self_contacts[k] == SelfContacts::Parts) {
-    for_each_meeting_pair_within(faces.trees[k], [&](std::uint32_t i, std::uint32_t j) {
-      if (faces.part[SourceId(first + i)] != faces.part[SourceId(first + j)]) pairs.add(first + i, first + j);
+  reach.tree = BoxTree(boxes);
+  return reach;
+}
+
+void add_pairs_between(const Reach& a, const Reach& b, PairList& pairs) {
+  for_each_meeting_pair(a.tree, b.tree, [&](std::uint32_t i, std::uint32_t j) { pairs.add(a.faces[i].value, b.faces[j].value); });
+}
+
+void add_pairs_within(const OperandFaces& faces, OperandId k, const Reach& reach, PairList& pairs) {
+  const SelfContacts kind = faces.self_contacts[k];
+  if (kind == SelfContacts::All || kind == SelfContacts::Parts) {
+    for_each_meeting_pair_within(reach.tree, [&](std::uint32_t i, std::uint32_t j) {
+      const SourceId f = reach.faces[i];
+      const SourceId g = reach.faces[j];
+      if (kind == SelfContacts::All || faces.part[f] != faces.part[g]) pairs.add(f.value, g.value);
     });
   }
-  for (std::uint32_t f = first; f < faces.first[OperandId(k.index() + 1)]; ++f) {
-    if (faces.shape[SourceId(f)] != FaceShape::Collinear) continue;
-    Box3 box;
-    for (std::size_t i = 0; i < 3; ++i) box.extend(faces.corner_position(SourceId(f), i));
-    faces.trees[k].for_each_meeting(box, [&](std::uint32_t j) {
-      if (faces.shape[SourceId(first + j)] == FaceShape::Proper) pairs.add(f, first + j);
+  if (kind == SelfContacts::All) return;
+  for (const SourceId f : reach.faces) {
+    if (faces.shape[f] != FaceShape::Collinear) continue;
+    reach.tree.for_each_meeting(faces.box(f), [&](std::uint32_t j) {
+      if (faces.shape[reach.faces[j]] == FaceShape::Proper) pairs.add(f.value, reach.faces[j].value);
     });
   }
 }
@@ -71,15 +105,15 @@ void add_pairs_within(const OperandFaces& faces, OperandId k, PairList& pairs) {
 std::vector<Pair> find_candidates(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress) {
   PairList pairs(memory);
   const std::size_t n = faces.operand_count();
-  for (std::size_t k = 0; k < n; ++k) {
-    report_progress(progress, stage_name, 0.1 * static_cast<double>(k) / static_cast<double>(n));
-    const OperandId operand_k(k);
-    if (faces.self_contacts[operand_k] != SelfContacts::None) add_pairs_within(faces, operand_k, pairs);
-    for (std::size_t m = k + 1; m < n; ++m) {
-      const OperandId operand_m(m);
-      if (boxes_meet(faces.trees[operand_k].bounds(), faces.trees[operand_m].bounds())) {
-        add_pairs_between(faces, operand_k, operand_m, pairs);
-      }
+  IdVector<OperandId, Reach> reach;
+  for (std::size_t k = 0; k < n; ++k) reach.push_back(find_reach(faces, OperandId(k)));
+  for (std::size_t i = 0; i < n; ++i) {
+    report_progress(progress, stage_name, 0.1 * static_cast<double>(i) / static_cast<double>(n));
+    const OperandId k(i);
+    if (faces.self_contacts[k] != SelfContacts::None) add_pairs_within(faces, k, reach[k], pairs);
+    for (std::size_t j = i + 1; j < n; ++j) {
+      const OperandId m(j);
+      if (boxes_meet(faces.bounds[k], faces.bounds[m])) add_pairs_between(reach[k], reach[m], pairs);
     }
   }
   return std::move(pairs).take();

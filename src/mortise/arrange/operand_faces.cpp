@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Gathers the operands of a call: weld, face shapes, closedness, box trees.
+// Gathers the operands of a call: weld, face shapes, closedness, parts.
 #include "mortise/arrange/operand_faces.h"
 
 #include <algorithm>
+#include <functional>
 
 #include "mortise/base/bits.h"
 #include "mortise/base/error.h"
 #include "mortise/base/union_find.h"
 
 #include "mortise/exact/predicates.h"
+#include "mortise/geom/box_tree.h"
 #include "mortise/mesh/validate.h"
 
 namespace mortise {
@@ -33,7 +35,7 @@ struct EdgeSum {
 
 bool is_closed(const OperandFaces& faces, OperandId k) {
   EdgeSum sum;
-  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
     const PlanePoints& c = faces.corners[SourceId(f)];
     for (std::size_t i = 0; i < 3; ++i) {
       sum.add(c[i], c[(i + 1) % 3]);
@@ -43,31 +45,36 @@ bool is_closed(const OperandFaces& faces, OperandId k) {
   return sum.low == 0 && sum.high == 0;
 }
 
-// Do two faces of the operand have the same three corners? (A chance of 1e-9 to say so wrongly costs time only.)
+PlanePoints sorted_corners(PlanePoints c) {
+  std::sort(c.begin(), c.end());
+  return c;
+}
+
+// Do two faces of the operand have the same three corners? Only faces with the same lowest corner are compared.
 bool has_coincident_faces(const OperandFaces& faces, OperandId k) {
-  std::vector<std::uint64_t> keys;
-  keys.reserve(faces.first[OperandId(k.index() + 1)] - faces.first[k]);
-  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
-    const PlanePoints& c = faces.corners[SourceId(f)];
-    keys.push_back(mixed_bits(c[0].value) + mixed_bits(c[1].value) + mixed_bits(c[2].value));
+  const std::uint32_t count = faces.end(k) - faces.first[k];
+  std::vector<std::uint32_t> begin(faces.points.size() + 1, 0);
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) ++begin[sorted_corners(faces.corners[SourceId(f)])[0].index() + 1];
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p) begin[p + 1] += begin[p];
+  std::vector<std::array<PointId, 2>> others(count);  // the two higher corners, grouped by the lowest
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
+    const PlanePoints c = sorted_corners(faces.corners[SourceId(f)]);
+    others[next[c[0].index()]++] = {c[1], c[2]};
   }
-  std::sort(keys.begin(), keys.end());
-  return std::adjacent_find(keys.begin(), keys.end()) != keys.end();
+  for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
+    if (begin[p + 1] - begin[p] < 2) continue;
+    const auto first = others.begin() + begin[p];
+    const auto last = others.begin() + begin[p + 1];
+    std::sort(first, last);
+    if (std::adjacent_find(first, last) != last) return true;
+  }
+  return false;
 }
 
 FaceShape shape_of(const PointSet& points, const PlanePoints& c) {
   if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return FaceShape::Repeated;
   return are_collinear(points.nearest(c[0]), points.nearest(c[1]), points.nearest(c[2])) ? FaceShape::Collinear : FaceShape::Proper;
-}
-
-std::vector<Box3> face_boxes(const OperandFaces& faces, OperandId k) {
-  std::vector<Box3> boxes;
-  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
-    Box3 box;
-    for (std::size_t i = 0; i < 3; ++i) box.extend(faces.corner_position(SourceId(f), i));
-    boxes.push_back(box);
-  }
-  return boxes;
 }
 
 // Parts of one operand, numbered by one of their vertices.
@@ -88,16 +95,19 @@ void number_parts(const SurfaceMesh& mesh, OperandId k, OperandFaces& faces) {
 }
 
 bool has_meeting_parts(const OperandFaces& faces, OperandId k) {
+  if (faces.end(k) == faces.first[k]) return false;
+  const auto parts = std::span(faces.part.values()).subspan(faces.first[k], faces.end(k) - faces.first[k]);
+  if (std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to<>()) == parts.end()) return false;
   std::vector<std::pair<std::uint32_t, std::uint32_t>> by_part;
-  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) by_part.emplace_back(faces.part[SourceId(f)], f);
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) by_part.emplace_back(faces.part[SourceId(f)], f);
   std::sort(by_part.begin(), by_part.end());
   std::vector<Box3> boxes;
   for (std::size_t i = 0; i < by_part.size(); ++i) {
     if (i == 0 || by_part[i].first != by_part[i - 1].first) boxes.emplace_back();
-    for (std::size_t j = 0; j < 3; ++j) boxes.back().extend(faces.corner_position(SourceId(by_part[i].second), j));
+    boxes.back().extend(faces.box(SourceId(by_part[i].second)));
   }
   bool meet = false;
-  if (boxes.size() > 1) for_each_meeting_pair_within(BoxTree(boxes), [&](std::uint32_t, std::uint32_t) { meet = true; });
+  for_each_meeting_pair_within(BoxTree(boxes), [&](std::uint32_t, std::uint32_t) { meet = true; });
   return meet;
 }
 
@@ -123,10 +133,17 @@ void append_operand(const SurfaceMesh& mesh, OperandFaces& faces) {
   faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
   number_parts(mesh, k, faces);
   faces.self_contacts.push_back(self_contacts_of(faces, k, has_collinear));
-  faces.trees.push_back(BoxTree(face_boxes(faces, k)));
+  faces.bounds.push_back({});
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) faces.bounds[k].extend(faces.box(SourceId(f)));
 }
 
 }  // namespace
+
+Box3 OperandFaces::box(SourceId f) const {
+  Box3 result;
+  for (std::size_t i = 0; i < 3; ++i) result.extend(corner_position(f, i));
+  return result;
+}
 
 OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
   OperandFaces faces;

@@ -9,7 +9,7 @@
 
 #include "mortise/base/ids.h"
 #include "mortise/exact/point_set.h"
-#include "mortise/geom/box_tree.h"
+#include "mortise/geom/vec.h"
 #include "mortise/mesh/surface_mesh.h"
 
 namespace mortise {
@@ -38,19 +38,21 @@ struct OperandFaces {
   IdVector<SourceId, OperandId> operand;
   IdVector<OperandId, std::uint32_t> first;  ///< operand count + 1 entries: its faces are first[k] .. first[k + 1] - 1
   IdVector<OperandId, SelfContacts> self_contacts;
-  IdVector<OperandId, BoxTree> trees;      ///< item i is face first[k] + i
+  IdVector<OperandId, Box3> bounds;
   IdVector<SourceId, std::uint32_t> part;  ///< faces of one operand with the same number are connected through vertices
   IdVector<OperandId, std::vector<PointId>> point_of_vertex;
 
   [[nodiscard]] std::size_t operand_count() const { return self_contacts.size(); }
   [[nodiscard]] std::uint32_t face_in_operand(SourceId f) const { return f.value - first[operand[f]]; }
+  [[nodiscard]] std::uint32_t end(OperandId k) const { return first[OperandId(k.index() + 1)]; }
+  [[nodiscard]] Box3 box(SourceId f) const;
   [[nodiscard]] const Vec3d& corner_position(SourceId f, std::size_t i) const { return points.nearest(corners[f][i]); }
 };
 
 /// Welds equal positions of all operands, sorts out faces without area, and finds who is closed (exact-core 2).
 ///
 /// @throws Error{NotFinite, BadIndex}
-/// O(n) in the faces, plus the box trees.
+/// O(n) in the faces.
 [[nodiscard]] OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands);
 
 }  // namespace mortise

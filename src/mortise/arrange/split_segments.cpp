@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mortise/base/union_find.h"
+#include "mortise/geom/box_tree.h"
 
 namespace mortise {
 namespace {

@@ -8,6 +8,7 @@
 
 #include "mortise/boolean/moved_shells.h"
 #include "mortise/exact/predicates.h"
+#include "mortise/geom/box_tree.h"
 #include "mortise/mesh/find_self_crossings.h"
 
 namespace mortise {

@@ -10,6 +10,7 @@
 #include "mortise/base/error.h"
 #include "mortise/base/union_find.h"
 #include "mortise/exact/predicates.h"
+#include "mortise/geom/box_tree.h"
 #include "mortise/mesh/ray_crossing.h"
 
 namespace mortise {
@@ -23,7 +24,11 @@ bool is_lexicographically_less(const Vec3d& a, const Vec3d& b) {
 class SeedFinder {
  public:
   SeedFinder(const OperandFaces& faces, const Facets& facets, const Patches& patches)
-      : faces_(faces), facets_(facets), patches_(patches), complex_of_face_(faces.corners.size(), no_number) {
+      : faces_(faces),
+        facets_(facets),
+        patches_(patches),
+        complex_of_face_(faces.corners.size(), no_number),
+        trees_(faces.operand_count()) {
     number_complexes();
   }
 
@@ -138,20 +143,38 @@ class SeedFinder {
   }
 
   // Every edge at the smallest point belongs to one complex, so a start next to one lies on no other.
-  std::vector<int> windings_at(PointId v, PointId w, SourceId face, std::uint32_t own) const {
+  std::vector<int> windings_at(PointId v, PointId w, SourceId face, std::uint32_t own) {
     const PlanePoints& c = faces_.corners[face];
     const PointId x = c[0] != v && c[0] != w ? c[0] : c[1] != v && c[1] != w ? c[1] : c[2];
     const RayStart start{faces_.points.nearest(v), faces_.points.nearest(w), faces_.points.nearest(x)};
     std::vector<int> winding(faces_.operand_count(), 0);
-    for (std::size_t k = 0; k < winding.size(); ++k) {
-      const OperandId operand(k);
-      faces_.trees[operand].for_each_meeting(ray_box(start), [&](std::uint32_t i) {
-        const SourceId f(faces_.first[operand] + i);
+    for (std::size_t i = 0; i < winding.size(); ++i) {
+      const OperandId k(i);
+      if (!boxes_meet(faces_.bounds[k], ray_box(start))) continue;
+      for_each_face_on_ray(k, ray_box(start), [&](SourceId f) {
         if (faces_.shape[f] != FaceShape::Proper || complex_of_face_[f] == own) return;
-        winding[k] += winding_step(faces_.corner_position(f, 0), faces_.corner_position(f, 1), faces_.corner_position(f, 2), start);
+        winding[i] += winding_step(faces_.corner_position(f, 0), faces_.corner_position(f, 1), faces_.corner_position(f, 2), start);
       });
     }
     return winding;
+  }
+
+  // Few rays look at all faces, many deserve a tree.
+  template <class Visit>
+  void for_each_face_on_ray(OperandId k, const Box3& ray, Visit visit) {
+    constexpr std::uint32_t few_rays = 8;
+    if (complex_count_ <= few_rays) {
+      for (std::uint32_t f = faces_.first[k]; f < faces_.end(k); ++f) {
+        if (boxes_meet(faces_.box(SourceId(f)), ray)) visit(SourceId(f));
+      }
+      return;
+    }
+    if (trees_[k].empty()) {
+      std::vector<Box3> boxes;
+      for (std::uint32_t f = faces_.first[k]; f < faces_.end(k); ++f) boxes.push_back(faces_.box(SourceId(f)));
+      trees_[k] = BoxTree(boxes);
+    }
+    trees_[k].for_each_meeting(ray, [&](std::uint32_t i) { visit(SourceId(faces_.first[k] + i)); });
   }
 
   const OperandFaces& faces_;
@@ -160,6 +183,7 @@ class SeedFinder {
   std::uint32_t complex_count_ = 0;
   IdVector<PatchId, std::uint32_t> complex_of_patch_;
   IdVector<SourceId, std::uint32_t> complex_of_face_;
+  IdVector<OperandId, BoxTree> trees_;  // of all faces, made when needed
   std::vector<PointId> extremes_;
   std::vector<FacetId> facets_at_extreme_;
   std::vector<std::ptrdiff_t> first_at_extreme_;

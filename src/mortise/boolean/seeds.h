@@ -21,7 +21,7 @@ struct Seed {
 /// It is taken at the lexicographically smallest point of the complex, which is always an input point: a complex is made of
 /// whole faces, and no point inside a face or an edge is smaller than all corners. Other complexes may touch it there, so the
 /// ray starts next to that point on an edge of the complex; it runs towards -x, ties are broken by position.
-/// O(n) in the facets, plus a walk down the box trees of all operands for each complex.
+/// O(n) in the facets for each of few complexes, a walk down a box tree for each of many.
 [[nodiscard]] std::vector<Seed> find_seeds(const OperandFaces& faces, const Facets& facets, const Patches& patches);
 
 }  // namespace mortise
