@@ -11,14 +11,14 @@ import { createSyncApi, isBlob } from './sync_api.js';
  * @param {import('./sync_api.js').Host} host
  */
 export function createAsyncApi(compileFrom, host) {
-  const loadCore = coreLoader(compileFrom);
+  const loader = coreLoader(compileFrom);
   /** @type {WeakMap<object, import('./index.js').Mortise>} */
   const apis = new WeakMap();
 
   /** @type {typeof import('./index.js').load} */
   async function load(options) {
-    const core = await loadCore(options);
-    const api = apis.get(core) ?? createSyncApi(core, host);
+    const core = await loader.start(options);
+    const api = apis.get(core) ?? createSyncApi(core, host, loader.forget);
     apis.set(core, api);
     return api;
   }

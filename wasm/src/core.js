@@ -47,21 +47,27 @@ async function compiledModule({ wasmModule, wasmBinary, wasmUrl }, compileFrom) 
 }
 
 /**
- * The function that gives the one core of this program, started at the first call. A failed start is tried again at the
- * next call.
+ * The one core of this program: `start` runs it at the first call, `forget` drops one that stopped. After a failed start and after
+ * `forget` the next `start` begins anew.
  * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
- * @returns {(options?: import('./index.js').LoadOptions) => Promise<Core>}
+ * @returns {{ start: (options?: import('./index.js').LoadOptions) => Promise<Core>, forget: () => void }}
  */
 export function coreLoader(compileFrom) {
   /** @type {Promise<Core> | undefined} */
   let core;
-  return (options = {}) => {
-    core ??= compiledModule(options, compileFrom)
-      .then(startCore)
-      .catch((cause) => {
-        core = undefined;
-        throw cause instanceof MeshError ? cause : new MeshError('FILE_FAILED', `the WebAssembly core does not start: ${cause?.message ?? cause}`, {}, { cause });
-      });
-    return core;
+  const forget = () => {
+    core = undefined;
+  };
+  return {
+    start(options = {}) {
+      core ??= compiledModule(options, compileFrom)
+        .then(startCore)
+        .catch((cause) => {
+          forget();
+          throw cause instanceof MeshError ? cause : new MeshError('FILE_FAILED', `the WebAssembly core does not start: ${cause?.message ?? cause}`, {}, { cause });
+        });
+      return core;
+    },
+    forget,
   };
 }

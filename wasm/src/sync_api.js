@@ -40,20 +40,33 @@ function valueOf({ value, error }, meshes) {
 }
 
 /**
- * Calls the core. What is no answer is a failure of the machine: memory of JavaScript, or a trap.
+ * A core with what belongs to it.
+ * @typedef {object} Session
+ * @property {Core} core
+ * @property {Host} host
+ * @property {() => void} onStop called when the core stops for good
+ * @property {boolean} stopped
+ */
+
+/**
+ * Calls the core. What is no answer is a failure of the machine: memory of JavaScript, or a trap, which ends the core.
  * @template Value
- * @param {() => Answer<Value>} call
+ * @param {Session} session
+ * @param {(core: Core) => Answer<Value>} call
  * @param {CheckedMesh[]} [meshes]
  * @returns {Value}
  */
-function ask(call, meshes = []) {
+function ask(session, call, meshes = []) {
+  if (session.stopped) throw new MeshError('INTERNAL_ERROR', 'the core stopped in an earlier call: load() gives a new one');
   let answer;
   try {
-    answer = call();
+    answer = call(session.core);
   } catch (cause) {
-    const short = cause instanceof RangeError && /alloc|length|size/i.test(cause.message);
+    session.stopped = cause instanceof WebAssembly.RuntimeError;
+    if (session.stopped) session.onStop();
+    const outOfMemory = cause instanceof RangeError && /allocation|array length/i.test(cause.message);
     const text = /** @type {Error} */ (cause)?.message ?? String(cause);
-    throw new MeshError(short ? 'OUT_OF_MEMORY' : 'INTERNAL_ERROR', `the core stopped: ${text}`, {}, { cause });
+    throw new MeshError(outOfMemory ? 'OUT_OF_MEMORY' : 'INTERNAL_ERROR', `the core stopped: ${text}`, {}, { cause });
   }
   return valueOf(answer, meshes);
 }
@@ -107,19 +120,19 @@ function guardProgress(progress) {
 }
 
 /**
- * @param {Core} core
+ * @param {Session} session
  * @param {string} operation
  * @param {any[]} args
  * @returns {import('./index.js').BooleanResult}
  */
-function evaluate(core, operation, args) {
+function evaluate(session, operation, args) {
   const { operands, options } = splitOperands(args, operation);
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
   const checked = checkOptions(options, ['onProgress', 'signal']);
   const { report, state } = guardProgress(checkProgress(checked));
   const begin = performance.now();
   try {
-    const result = ask(() => core.evaluateBoolean(operation, meshes, report), meshes);
+    const result = ask(session, (core) => core.evaluateBoolean(operation, meshes, report), meshes);
     result.report.milliseconds = performance.now() - begin;
     return result;
   } catch (error) {
@@ -130,72 +143,73 @@ function evaluate(core, operation, args) {
 }
 
 /**
- * @param {Core} core
+ * @param {Session} session
  * @param {import('./index.js').MeshInput} mesh
  * @returns {import('./index.js').Report}
  */
-function inspectMesh(core, mesh) {
+function inspectMesh(session, mesh) {
   const checked = checkMesh(mesh, 'mesh');
   const begin = performance.now();
-  const report = ask(() => core.inspectMesh(checked), [checked]);
+  const report = ask(session, (core) => core.inspectMesh(checked), [checked]);
   report.milliseconds = performance.now() - begin;
   return report;
 }
 
 /**
- * @param {Core} core
- * @param {Host} host
+ * @param {Session} session
  * @param {string | URL | Uint8Array | ArrayBuffer | Blob} source
  * @param {import('./index.js').ReadOptions} [options]
  * @returns {import('./index.js').Mesh}
  */
-function readMesh(core, host, source, options) {
+function readMesh(session, source, options) {
   const { format, name } = checkOptions(options, ['format', 'name']);
   checkFormat(format);
-  const bytes = isPath(source) ? host.readFile(source) : checkBytes(source);
+  const bytes = isPath(source) ? session.host.readFile(source) : checkBytes(source);
   const known = format === undefined ? (name ?? (isPath(source) ? nameOf(source) : '')) : `mesh.${format}`;
-  return ask(() => core.readMesh(bytes, String(known)));
+  return ask(session, (core) => core.readMesh(bytes, String(known)));
 }
 
 /**
  * writeMesh(path, mesh, options?) or writeMesh(mesh, options).
- * @param {Core} core
- * @param {Host} host
+ * @param {Session} session
  * @param {any[]} args
  * @returns {any}
  */
-function writeMesh(core, host, args) {
+function writeMesh(session, args) {
   const toFile = isPath(args[0]);
   const [mesh, options] = toFile ? args.slice(1) : args;
   const checked = checkMesh(mesh, 'mesh');
   const { format } = checkOptions(options, ['format']);
   if (checkFormat(format) === undefined && !toFile) throw invalidArgument('writeMesh(mesh, {format}) needs the format');
-  const written = format ?? ask(() => core.formatOfPath(nameOf(args[0])));
-  const bytes = ask(() => core.writeMesh(checked, written), [checked]);
-  return toFile ? host.writeFile(args[0], bytes) : bytes;
+  const written = format ?? ask(session, (core) => core.formatOfPath(nameOf(args[0])));
+  const bytes = ask(session, (core) => core.writeMesh(checked, written), [checked]);
+  return toFile ? session.host.writeFile(args[0], bytes) : bytes;
 }
 
 /**
  * @param {Core} core
  * @param {Host} host
+ * @param {() => void} onStop called when the core stops for good
  * @returns {import('./index.js').Mortise}
  */
-export function createSyncApi(core, host) {
+export function createSyncApi(core, host, onStop) {
+  /** @type {Session} */
+  const session = { core, host, onStop, stopped: false };
   return {
-    union: (/** @type {any[]} */ ...args) => evaluate(core, 'union', args),
-    intersect: (/** @type {any[]} */ ...args) => evaluate(core, 'intersect', args),
-    subtract: (/** @type {any[]} */ ...args) => evaluate(core, 'subtract', args),
-    inspect: (mesh) => inspectMesh(core, mesh),
+    union: (/** @type {any[]} */ ...args) => evaluate(session, 'union', args),
+    intersect: (/** @type {any[]} */ ...args) => evaluate(session, 'intersect', args),
+    subtract: (/** @type {any[]} */ ...args) => evaluate(session, 'subtract', args),
+    inspect: (mesh) => inspectMesh(session, mesh),
     transform: (mesh, steps) => {
       const checked = checkMesh(mesh, 'mesh');
       const flat = checkSteps(steps);
-      return ask(() => core.transformMesh(checked, flat), [checked]);
+      return ask(session, () => core.transformMesh(checked, flat), [checked]);
     },
     make: (shape, parameters) => {
       const [name, numbers] = checkShape(shape, parameters);
-      return ask(() => core.makeShape(name, numbers));
+      return ask(session, () => core.makeShape(name, numbers));
     },
-    readMesh: (source, options) => readMesh(core, host, source, options),
-    writeMesh: (/** @type {any[]} */ ...args) => writeMesh(core, host, args),
+    readMesh: (source, options) => readMesh(session, source, options),
+    writeMesh: (/** @type {any[]} */ ...args) => writeMesh(session, args),
   };
 }

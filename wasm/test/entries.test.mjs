@@ -15,6 +15,7 @@ import * as mortise from 'mortise';
 
 import * as browser from '../src/browser.js';
 import { coreLoader } from '../src/core.js';
+import { createSyncApi } from '../src/sync_api.js';
 import { cube, meshError } from './support.mjs';
 
 const require = createRequire(import.meta.url);
@@ -75,11 +76,40 @@ test('a core can be started from bytes or from compiled code', async () => {
   const never = () => assert.fail('the package must not look for its own file');
   const bytes = readFileSync(wasmFile);
   for (const options of [{ wasmBinary: bytes }, { wasmModule: await WebAssembly.compile(bytes) }]) {
-    const core = await coreLoader(never)(options);
+    const core = await coreLoader(never).start(options);
     assert.equal(core.makeShape('box', Float64Array.of(0, 0, 0, 1, 1, 1)).value.triangles.length, 36);
   }
-  await meshError('FILE_FAILED', () => coreLoader(never)({ wasmBinary: new Uint8Array(8) }), mortise.MeshError);
-  await meshError('INVALID_ARGUMENT', () => coreLoader(never)({ wasmModule: {} }), mortise.MeshError);
+  await meshError('FILE_FAILED', () => coreLoader(never).start({ wasmBinary: new Uint8Array(8) }), mortise.MeshError);
+  await meshError('INVALID_ARGUMENT', () => coreLoader(never).start({ wasmModule: {} }), mortise.MeshError);
+});
+
+test('a core that traps is not used again, and the next load starts a new one', async () => {
+  let stops = 0;
+  const trap = () => {
+    throw new WebAssembly.RuntimeError('unreachable');
+  };
+  const api = createSyncApi({ makeShape: trap }, {}, () => ++stops);
+  assert.match((await meshError('INTERNAL_ERROR', () => api.make('box'), mortise.MeshError)).message, /unreachable/);
+  assert.match((await meshError('INTERNAL_ERROR', () => api.inspect(cube()), mortise.MeshError)).message, /load\(\) gives a new one/);
+  assert.equal(stops, 1);
+
+  const module = await WebAssembly.compile(readFileSync(wasmFile));
+  const loader = coreLoader(async () => module);
+  const first = await loader.start();
+  assert.equal(await loader.start(), first);
+  loader.forget();
+  assert.notEqual(await loader.start(), first);
+});
+
+test('memory JavaScript does not have is an error after which the core goes on', async () => {
+  let calls = 0;
+  const answers = () => {
+    if (++calls === 1) throw new RangeError('Array buffer allocation failed');
+    return { value: cube() };
+  };
+  const api = createSyncApi({ makeShape: answers }, {}, assert.fail);
+  await meshError('OUT_OF_MEMORY', () => api.make('box'), mortise.MeshError);
+  assert.deepEqual(api.make('box'), cube());
 });
 
 test('the declarations fit both resolutions, and the sources fit the declarations', () => {
