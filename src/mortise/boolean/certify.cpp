@@ -4,11 +4,11 @@
 #include "mortise/boolean/certify.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "mortise/boolean/moved_shells.h"
 #include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
+#include "mortise/geom/length.h"
 #include "mortise/mesh/find_self_crossings.h"
 
 namespace mortise {
@@ -56,7 +56,7 @@ class Certifier {
     constexpr double half_ulp = 0x1p-53;
     const Vec3d bound{half_ulp * p.x, half_ulp * p.y, half_ulp * p.z};
     double& largest = result_.certificate.largest_displacement;
-    largest = std::max(largest, std::sqrt(dot(bound, bound)));
+    largest = std::max(largest, length(bound));
   }
 
   void find_moved() {

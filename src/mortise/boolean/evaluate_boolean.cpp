@@ -25,7 +25,19 @@ struct Arrangement {
   FaceIntersectionMap map;
   Facets facets;
   Categories categories;
+  std::vector<std::uint32_t> self_contacts;  // operands that touch themselves beyond what their faces share
 };
+
+std::vector<std::uint32_t> operands_with_self_contacts(const OperandFaces& faces, const Contacts& contacts) {
+  std::vector<std::uint32_t> result;
+  for (const Contact& c : contacts.contacts) {
+    if (faces.operand[c.face_a] == faces.operand[c.face_b]) result.push_back(faces.operand[c.face_a].value);
+  }
+  for (const StrayPoint& s : contacts.stray_points) result.push_back(faces.operand[s.face].value);
+  std::sort(result.begin(), result.end());
+  result.erase(std::unique(result.begin(), result.end()), result.end());
+  return result;
+}
 
 // Calls a stage, and adds its time to those of its name.
 template <class Stage>
@@ -46,6 +58,7 @@ Arrangement arrange(OperandFaces& faces, const BooleanOptions& options, std::vec
   const Contacts contacts = timed(times, "find_contacts", [&] { return find_contacts(faces, options.contact_memory, progress); });
   const Overlays overlays = timed(times, "overlay_coplanar", [&] { return overlay_coplanar(faces, contacts); });
   Arrangement result;
+  result.self_contacts = operands_with_self_contacts(faces, contacts);
   result.map = timed(times, "face_intersection_map", [&] { return build_face_intersection_map(faces, contacts, overlays); });
   const LineSubdivision lines = timed(times, "split_segments", [&] { return split_segments(faces, overlays, result.map, progress); });
   result.facets = timed(times, "triangulate_faces", [&] { return triangulate_faces(faces, overlays, result.map, lines, progress); });
@@ -68,8 +81,9 @@ Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& opti
 Certificate certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh& merged, const ProgressCallback& progress) {
   Box3 box;
   for (const Vec3d& p : merged.mesh.points) box.extend(p);
-  const Vec3d size = box.hi - box.lo;
-  const double reach = 0x1p-46 * std::max({size.x, size.y, size.z});  // the finest grid of snap rounding
+  constexpr double finest_grid = 0x1p-46;  // of snap rounding, for a box of size one
+  const Vec3d reach_along = finest_grid * box.hi - finest_grid * box.lo;
+  const double reach = std::max({reach_along.x, reach_along.y, reach_along.z});
   constexpr int most_rounds = 8;
   CertifiedMesh certified = certify(faces, facets, merged, progress);
   for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
@@ -77,14 +91,6 @@ Certificate certify_or_repair(const OperandFaces& faces, const Facets& facets, M
     certified = certify(faces, facets, merged, progress);
   }
   return certified.certificate;
-}
-
-std::vector<std::uint32_t> operands_with_self_contacts(const OperandFaces& faces) {
-  std::vector<std::uint32_t> result;
-  for (std::uint32_t k = 0; k < faces.operand_count(); ++k) {
-    if (faces.self_contacts[OperandId(k)] != SelfContacts::None) result.push_back(k);
-  }
-  return result;
 }
 
 }  // namespace
@@ -106,7 +112,7 @@ BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh*
   });
   report.certificate = timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, merged, options.progress); });
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
-  report.self_contacts = operands_with_self_contacts(faces);
+  report.self_contacts = arrangement.self_contacts;
   result.mesh = std::move(merged.mesh);
   result.provenance = std::move(merged.provenance);
   report_progress(options.progress, "certify", 1);

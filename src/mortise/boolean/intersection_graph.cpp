@@ -4,7 +4,8 @@
 #include "mortise/boolean/intersection_graph.h"
 
 #include <algorithm>
-#include <cmath>
+
+#include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
@@ -104,13 +105,6 @@ class ChainTracer {
   std::vector<std::uint8_t> used_;
 };
 
-double length_of(const Vec3d& v) {
-  const double largest = std::max({std::fabs(v.x), std::fabs(v.y), std::fabs(v.z)});
-  if (largest == 0) return 0;
-  const Vec3d unit{v.x / largest, v.y / largest, v.z / largest};
-  return largest * std::sqrt(dot(unit, unit));
-}
-
 }  // namespace
 
 IntersectionGraph build_intersection_graph(const OperandFaces& faces, const FaceIntersectionMap& map, const Facets& facets,
@@ -135,14 +129,14 @@ ContactMeasure measure_contact(const OperandFaces& faces, const Facets& facets, 
   std::vector<std::uint8_t> is_on_edge(graph.points.size(), 0);
   for (const auto& [p, q] : graph.edges) {
     is_on_edge[p] = is_on_edge[q] = 1;
-    measure.length += length_of(graph.points[q] - graph.points[p]);
+    measure.length += length(graph.points[q] - graph.points[p]);
   }
   measure.points = static_cast<std::uint64_t>(std::count(is_on_edge.begin(), is_on_edge.end(), 0));
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (!has_several_operands(faces, facets.sources_of(FacetId(i)))) continue;
     const PlanePoints& c = facets.corners[FacetId(i)];
     const Vec3d& a = faces.points.nearest(c[0]);
-    measure.area += length_of(cross(faces.points.nearest(c[1]) - a, faces.points.nearest(c[2]) - a)) / 2;
+    measure.area += length(cross(faces.points.nearest(c[1]) - a, faces.points.nearest(c[2]) - a)) / 2;
   }
   return measure;
 }

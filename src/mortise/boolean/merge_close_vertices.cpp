@@ -5,17 +5,18 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
 
 struct ClosePair {
-  double distance2;
+  double distance;
   VertexId a, b;  // a < b
 
   bool operator<(const ClosePair& other) const {
-    if (distance2 != other.distance2) return distance2 < other.distance2;
+    if (distance != other.distance) return distance < other.distance;
     return a != other.a ? a < other.a : b < other.b;
   }
 };
@@ -31,8 +32,8 @@ std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, std::span<cons
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
-        const Vec3d gap = merged.mesh.points[corners[j].index()] - merged.mesh.points[corners[i].index()];
-        if (dot(gap, gap) <= reach * reach) pairs.push_back({dot(gap, gap), corners[i], corners[j]});
+        const double distance = length(merged.mesh.points[corners[j].index()] - merged.mesh.points[corners[i].index()]);
+        if (distance <= reach) pairs.push_back({distance, corners[i], corners[j]});
       }
     }
   }
@@ -72,8 +73,8 @@ void replace_corners(const Replacement& replacement, MergedMesh& merged) {
     for (VertexId& v : merged.mesh.triangles[t]) {
       const VertexId other = replacement.find(v);
       if (other == v) continue;
-      const Vec3d gap = merged.mesh.points[other.index()] - merged.mesh.points[v.index()];
-      merged.repair_displacement = std::max(merged.repair_displacement, std::sqrt(dot(gap, gap)));
+      const double distance = length(merged.mesh.points[other.index()] - merged.mesh.points[v.index()]);
+      merged.repair_displacement = std::max(merged.repair_displacement, distance);
       merged.is_repaired[t] = 1;
       v = other;
     }

@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
+
+#include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
@@ -16,8 +17,6 @@ struct DirectedEdge {
 
   auto operator<=>(const DirectedEdge&) const = default;
 };
-
-double length2(const Vec3d& v) { return dot(v, v); }
 
 class SliverSwapper {
  public:
@@ -58,11 +57,10 @@ class SliverSwapper {
   // The edge of a triangle that is longest; the triangle's height over it is at most the reach.
   [[nodiscard]] bool is_sliver(const Triangle& t, std::size_t& longest, double& height) const {
     std::array<double, 3> size{};
-    for (std::size_t i = 0; i < 3; ++i) size[i] = length2(position(t[(i + 1) % 3]) - position(t[i]));
+    for (std::size_t i = 0; i < 3; ++i) size[i] = length(position(t[(i + 1) % 3]) - position(t[i]));
     longest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
-    const Vec3d normal = cross(position(t[1]) - position(t[0]), position(t[2]) - position(t[0]));
     if (!(size[longest] > 0)) return false;
-    height = std::sqrt(length2(normal) / size[longest]);
+    height = height_over(position(t[longest]), position(t[(longest + 1) % 3]), position(t[(longest + 2) % 3]));
     return height <= reach_;
   }
 
