@@ -10,3 +10,5 @@ MORTISE_DATA=${MORTISE_DATA:-../shared/data}
 export MORTISE_DATA
 # Set for em++ by some installations; programs under test must not see it (cmake/emscripten.cmake sets it for em++).
 unset NODE_PATH
+# A clone elsewhere finds what another one compiled.
+export CCACHE_BASEDIR=$MORTISE_REPOSITORY CCACHE_NOHASHDIR=1
