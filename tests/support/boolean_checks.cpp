@@ -61,7 +61,7 @@ template <class Visit>
 void for_each_edge(const std::vector<EdgeUse>& uses, const Visit& visit) {
   for (auto first = uses.begin(); first != uses.end();) {
     const auto last = std::find_if(first, uses.end(), [&](const EdgeUse& u) { return u.low != first->low || u.high != first->high; });
-    visit(std::span<const EdgeUse>(first, last));
+    visit(std::span<const EdgeUse>(&*first, static_cast<std::size_t>(last - first)));
     first = last;
   }
 }
@@ -129,7 +129,15 @@ void check_vertices(const SurfaceMesh& mesh, Faults& faults) {
   if (std::adjacent_find(points.begin(), points.end()) != points.end()) faults.add("two vertices at one place", points.size());
 }
 
+double largest_of(const Vec3d& p) { return std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}); }
+
 bool has_area(const Corners& c) {
+  const Vec3d u = c[1] - c[0], v = c[2] - c[0], normal = cross(u, v);
+  // Far beyond what rounding does to a cross product: no need to look closer.
+  if (dot(normal, normal) > 1e-12 * dot(u, u) * dot(v, v) && dot(normal, normal) > 1e-100 && dot(u, u) < 1e100 && dot(v, v) < 1e100 &&
+      std::max({largest_of(c[0]), largest_of(c[1]), largest_of(c[2])}) < 1e6 * std::sqrt(std::min(dot(u, u), dot(v, v)))) {
+    return true;
+  }
   const std::array<RationalPoint, 3> p{oracle::exact(c[0]), oracle::exact(c[1]), oracle::exact(c[2])};
   for (std::size_t i = 0; i < 3; ++i) {
     const std::size_t j = (i + 1) % 3;
@@ -435,7 +443,7 @@ double largest_coordinate(const SurfaceMesh& mesh) {
   double largest = 0;
   for (const Triangle& t : mesh.triangles) {
     for (const VertexId v : t) {
-      for (std::size_t i = 0; i < 3; ++i) largest = std::max(largest, std::fabs(mesh.points[v.index()][i]));
+      largest = std::max(largest, largest_of(mesh.points[v.index()]));
     }
   }
   return largest;
