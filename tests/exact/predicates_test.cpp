@@ -34,7 +34,8 @@ void require_rungs_agree(Sign expected, const std::vector<Vec3d>& p, std::uint64
 
 void require_rungs_agree_2d(Sign expected, const std::vector<Vec3d>& p, Axis axis, std::uint64_t seed) {
   const auto filter = filters::orient2d(p[0], p[1], p[2], axis);
-  const auto near_filter = filters::orient2d({p[0], {}}, {p[1], {}}, {p[2], {}}, axis);
+  const auto [u, v] = kept_coordinates(axis);
+  const auto near_filter = filters::orient2d({p[0][u], p[0][v], 0, 0}, {p[1][u], p[1][v], 0, 0}, {p[2][u], p[2][v], 0, 0});
   const auto near = certain_sign(orient2d_value<DoubleDouble>(p[0], p[1], p[2], axis));
   bool agree = filter.value_or(expected) == expected && near_filter.value_or(expected) == expected && near.value_or(expected) == expected;
   agree = agree && orient2d_value<BigFloat>(p[0], p[1], p[2], axis).sign() == expected;

@@ -22,28 +22,42 @@ struct NearPoint {
 
 /// sign_of(value) when |value| exceeds its error bound and is far from underflow. An overflow makes the bound inf or NaN.
 [[nodiscard]] inline std::optional<Sign> beyond(double value, double bound) {
-  if (value > bound && value > 0x1p-900) return Sign::Positive;
-  if (-value > bound && -value > 0x1p-900) return Sign::Negative;
+  const double size = std::fabs(value);
+  if (size > bound && size > 0x1p-900) return sign_of(value);
   return std::nullopt;
 }
 
+/// Two coordinates of a point and their sizes.
+struct NearCoordinates {
+  double u, v, u_size, v_size;
+};
+
 /// Error: 1 unit of 2^-53 for each difference (its size includes those of uncertain points), 3 for each product, 4 for the
 /// value; the bound takes 8 of the computed size, which itself is short by at most one part in 2^50.
-[[nodiscard]] inline std::optional<Sign> orient2d(const NearPoint& a, const NearPoint& b, const NearPoint& c, Axis axis) {
-  const auto [u, v] = kept_coordinates(axis);
-  const double bu = b.point[u] - a.point[u], bv = b.point[v] - a.point[v];
-  const double cu = c.point[u] - a.point[u], cv = c.point[v] - a.point[v];
-  const double bu_size = std::fabs(bu) + (a.size[u] + b.size[u]), bv_size = std::fabs(bv) + (a.size[v] + b.size[v]);
-  const double cu_size = std::fabs(cu) + (a.size[u] + c.size[u]), cv_size = std::fabs(cv) + (a.size[v] + c.size[v]);
+[[nodiscard]] inline std::optional<Sign> orient2d(const NearCoordinates& a, const NearCoordinates& b, const NearCoordinates& c) {
+  const double bu = b.u - a.u, bv = b.v - a.v, cu = c.u - a.u, cv = c.v - a.v;
+  const double bu_size = std::fabs(bu) + (a.u_size + b.u_size), bv_size = std::fabs(bv) + (a.v_size + b.v_size);
+  const double cu_size = std::fabs(cu) + (a.u_size + c.u_size), cv_size = std::fabs(cv) + (a.v_size + c.v_size);
   return beyond(bu * cv - bv * cu, 0x1p-50 * (bu_size * cv_size + bv_size * cu_size));
 }
 
-/// As above for input points: their differences alone set the size.
-[[nodiscard]] inline std::optional<Sign> orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
-  const auto [u, v] = kept_coordinates(axis);
-  const double left = (b[u] - a[u]) * (c[v] - a[v]);
-  const double right = (b[v] - a[v]) * (c[u] - a[u]);
+/// As above for exact points (u, v): their differences alone set the size.
+[[nodiscard]] inline std::optional<Sign> orient2d_of_coordinates(const std::array<double, 2>& a, const std::array<double, 2>& b,
+                                                                 const std::array<double, 2>& c) {
+  const double left = (b[0] - a[0]) * (c[1] - a[1]);
+  const double right = (b[1] - a[1]) * (c[0] - a[0]);
   return beyond(left - right, 0x1p-50 * (std::fabs(left) + std::fabs(right)));
+}
+
+[[nodiscard]] inline std::optional<Sign> orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+  switch (axis) {  // not an index: each case reads its coordinates directly
+    case Axis::X:
+      return orient2d_of_coordinates({a.y, a.z}, {b.y, b.z}, {c.y, c.z});
+    case Axis::Y:
+      return orient2d_of_coordinates({a.z, a.x}, {b.z, b.x}, {c.z, c.x});
+    default:
+      return orient2d_of_coordinates({a.x, a.y}, {b.x, b.y}, {c.x, c.y});
+  }
 }
 
 /// Side of the plane (a, b, c) of input points. Error: 4 units of 2^-53 for each component of the normal, 6 for the

@@ -46,7 +46,19 @@ struct PointSet::Storage {
   }
 
   [[nodiscard]] std::array<Vec3d, 9> defining_points(const Construction& construction) const;
-  [[nodiscard]] filters::NearPoint near_point(PointId p) const;
+  /// |nearest - coordinate| is at most 2^-53 of this.
+  [[nodiscard]] double size_of_rounding(PointId p, std::size_t coordinate) const {
+    if (is_input(p)) return 0;
+    const RoundedCoordinate& r = rounding(p)[coordinate];
+    return r.side == Sign::Zero ? 0 : std::fabs(r.nearest) + std::numeric_limits<double>::min();
+  }
+  [[nodiscard]] filters::NearPoint near_point(PointId p) const {
+    return {position(p), {size_of_rounding(p, 0), size_of_rounding(p, 1), size_of_rounding(p, 2)}};
+  }
+  [[nodiscard]] filters::NearCoordinates near_coordinates(PointId p, std::size_t u, std::size_t v) const {
+    return {position(p)[u], position(p)[v], size_of_rounding(p, u), size_of_rounding(p, v)};
+  }
+
   [[nodiscard]] Homogeneous<BigFloat> exact_about(const Vec3d& origin, PointId p) const;
   [[nodiscard]] bool is_same(PointId p, const Construction& made, const Rounding& made_rounding) const;
   [[nodiscard]] PointId add_made(const Construction& construction);
@@ -101,16 +113,6 @@ std::array<Vec3d, 9> PointSet::Storage::defining_points(const Construction& cons
   std::array<Vec3d, 9> points;
   for (std::size_t i = 0; i < construction.point_count(); ++i) points[i] = position(construction.points[i]);
   return points;
-}
-
-filters::NearPoint PointSet::Storage::near_point(PointId p) const {
-  filters::NearPoint result{position(p), {}};
-  if (is_input(p)) return result;
-  const Rounding& r = rounding(p);
-  for (std::size_t i = 0; i < 3; ++i) {
-    if (r[i].side != Sign::Zero) result.size[i] = std::fabs(r[i].nearest) + std::numeric_limits<double>::min();
-  }
-  return result;
 }
 
 Homogeneous<BigFloat> PointSet::Storage::exact_about(const Vec3d& origin, PointId p) const {
@@ -257,7 +259,9 @@ Answer PointSet::explain_orient2d(PointId a, PointId b, PointId c, Axis axis) co
   if (s.is_input(a) && s.is_input(b) && s.is_input(c)) {
     return mortise::explain_orient2d(s.position(a), s.position(b), s.position(c), axis);
   }
-  if (const auto sign = filters::orient2d(s.near_point(a), s.near_point(b), s.near_point(c), axis)) return {*sign, Rung::Filter};
+  const auto [u, v] = kept_coordinates(axis);
+  const auto sign_of_near = filters::orient2d(s.near_coordinates(a, u, v), s.near_coordinates(b, u, v), s.near_coordinates(c, u, v));
+  if (sign_of_near) return {*sign_of_near, Rung::Filter};
   const ThreePoints points{a, b, c};
   if (s.share_known_line(points) || s.share_known_planes(points)) return {Sign::Zero, Rung::Construction};
   const auto compare_near = [&](std::size_t i, std::size_t j, std::size_t coordinate) {

@@ -16,8 +16,16 @@
 
 namespace mortise {
 
-Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
-  if (const auto sign = filters::orient3d(a, b, c, {d, {}})) return {*sign, Rung::Filter};
+namespace {
+
+Answer orient2d_beyond_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+  if (const auto sign = orient2d_of_equal_coordinates(a, b, c, axis)) return {*sign, Rung::Construction};
+  if (is_in_expansion_range({a, b, c})) return {orient2d_value<Expansion<2>>(a, b, c, axis).sign(), Rung::Expansion};
+  return {orient2d_value<BigFloat>(a, b, c, axis).sign(), Rung::BigFloat};
+}
+
+Answer orient3d_beyond_filter(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  if (d == a || d == b || d == c) return {Sign::Zero, Rung::Construction};
   if (const auto flat = find_axis_triangle(a, b, c, d)) {
     if (flat->side == Sign::Zero) return {Sign::Zero, Rung::Construction};
     const Answer answer = explain_orient2d(*flat->corners[0], *flat->corners[1], *flat->corners[2], flat->axis);
@@ -27,16 +35,27 @@ Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Ve
   return {orient3d_value<BigFloat>(a, b, c, d).sign(), Rung::BigFloat};
 }
 
-Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
-  if (const auto sign = filters::orient2d(a, b, c, axis)) return {*sign, Rung::Filter};
-  if (const auto sign = orient2d_of_equal_coordinates(a, b, c, axis)) return {*sign, Rung::Construction};
-  if (is_in_expansion_range({a, b, c})) return {orient2d_value<Expansion<2>>(a, b, c, axis).sign(), Rung::Expansion};
-  return {orient2d_value<BigFloat>(a, b, c, axis).sign(), Rung::BigFloat};
+}  // namespace
+
+Answer explain_orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  const auto sign = filters::orient3d(a, b, c, {d, {}});
+  return sign ? Answer{*sign, Rung::Filter} : orient3d_beyond_filter(a, b, c, d);
 }
 
-Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) { return explain_orient3d(a, b, c, d).sign; }
+Answer explain_orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+  const auto sign = filters::orient2d(a, b, c, axis);
+  return sign ? Answer{*sign, Rung::Filter} : orient2d_beyond_filter(a, b, c, axis);
+}
 
-Sign orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) { return explain_orient2d(a, b, c, axis).sign; }
+Sign orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
+  const auto sign = filters::orient3d(a, b, c, {d, {}});
+  return sign ? *sign : orient3d_beyond_filter(a, b, c, d).sign;
+}
+
+Sign orient2d(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
+  const auto sign = filters::orient2d(a, b, c, axis);
+  return sign ? *sign : orient2d_beyond_filter(a, b, c, axis).sign;
+}
 
 bool are_collinear(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return orient2d(a, b, c, Axis::Z) == Sign::Zero && orient2d(a, b, c, Axis::X) == Sign::Zero && orient2d(a, b, c, Axis::Y) == Sign::Zero;
