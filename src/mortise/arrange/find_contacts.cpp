@@ -172,6 +172,12 @@ TriangleCorners corners_of(const OperandFaces& faces, SourceId f) {
   return t;
 }
 
+bool meet_beyond_shared(const OperandFaces& faces, SourceId f, SourceId g) {
+  PairClassification pair;
+  classify_pair(corners_of(faces, f), corners_of(faces, g), pair);
+  return pair.contact != PairContact::None && !is_adjacency(pair);
+}
+
 Contacts find_contacts(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress) {
   const std::vector<Pair> candidates = find_candidates(faces, memory, progress);
   Contacts contacts;

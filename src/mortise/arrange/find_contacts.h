@@ -47,6 +47,9 @@ struct Contacts {
 /// O(n log n) in the faces, plus time in proportion to the pairs whose boxes meet.
 [[nodiscard]] Contacts find_contacts(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress);
 
+/// Do two faces with area meet in more than the corners or the edge they share?
+[[nodiscard]] bool meet_beyond_shared(const OperandFaces& faces, SourceId f, SourceId g);
+
 /// Corners and positions of a face, as classify_pair reads them.
 [[nodiscard]] TriangleCorners corners_of(const OperandFaces& faces, SourceId f);
 

@@ -21,7 +21,8 @@ struct BooleanOptions {
 ///
 /// Operands are solids: closed, oriented outwards, in any number (one resolves itself); vertices need not be shared. They
 /// may touch, coincide, contain one another, have cavities and cross themselves. A point is inside an operand where its
-/// winding is positive. An empty result is a mesh without triangles.
+/// winding is positive; a crossing of one connected part with itself that no other operand comes near stays as it is
+/// (docs/decisions/004). An empty result is a mesh without triangles.
 /// @throws Error{NotFinite, BadIndex, NotClosed, NotOriented, InsideOut, OutOfRange, ResultTooLarge, Cancelled}
 /// Near-linear in the operands, plus time in proportion to the contact. Exact until the vertices are rounded, once.
 [[nodiscard]] BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands,

@@ -35,6 +35,7 @@ struct Certificate {
   CertificateStatus status = CertificateStatus::Certified;
   std::uint64_t triangles_tested = 0;  ///< with a vertex that was rounded
   std::uint64_t pairs_tested = 0;
+  std::uint64_t inherited_pairs = 0;        ///< that meet beyond what they share because their faces did so in one operand
   double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
   std::vector<std::uint32_t> failed_faces;  ///< of the result, ascending; empty when certified
 };
