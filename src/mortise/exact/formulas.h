@@ -5,7 +5,6 @@
 #pragma once
 
 #include <array>
-#include <utility>
 
 #include "mortise/geom/vec.h"
 
@@ -27,14 +26,14 @@ template <class T>
 
 /// a * d - b * c. The result has a type of its own for numbers whose type knows their size (Expansion).
 template <class T>
-[[nodiscard]] auto minor(const T& a, const T& b, const T& c, const T& d) {
+[[nodiscard]] auto determinant(const T& a, const T& b, const T& c, const T& d) {
   return a * d - b * c;
 }
 
 template <class T>
 [[nodiscard]] auto cross(const Triple<T>& a, const Triple<T>& b) {
-  return Triple<decltype(a[0] * b[0] - a[0] * b[0])>{minor(a[1], a[2], b[1], b[2]), minor(a[2], a[0], b[2], b[0]),
-                                                     minor(a[0], a[1], b[0], b[1])};
+  return Triple<decltype(a[0] * b[0] - a[0] * b[0])>{determinant(a[1], a[2], b[1], b[2]), determinant(a[2], a[0], b[2], b[0]),
+                                                     determinant(a[0], a[1], b[0], b[1])};
 }
 
 template <class T, class U>
@@ -58,7 +57,7 @@ template <class T>
 template <class T>
 [[nodiscard]] auto orient2d_value(const Vec3d& a, const Vec3d& b, const Vec3d& c, Axis axis) {
   const auto [u, v] = kept_coordinates(axis);
-  return minor(T::difference(b[u], a[u]), T::difference(b[v], a[v]), T::difference(c[u], a[u]), T::difference(c[v], a[v]));
+  return determinant(T::difference(b[u], a[u]), T::difference(b[v], a[v]), T::difference(c[u], a[u]), T::difference(c[v], a[v]));
 }
 
 /// The point base + offset / w; the base is an input point and is known to whoever asked.
@@ -89,7 +88,7 @@ template <class T>
   const Triple<T> first = difference<T>(points[1], points[0]);
   const Triple<T> second = difference<T>(points[3], points[2]);
   const Triple<T> gap = difference<T>(points[2], points[0]);
-  return {scaled(minor(gap[u], gap[v], second[u], second[v]), first), minor(first[u], first[v], second[u], second[v])};
+  return {scaled(determinant(gap[u], gap[v], second[u], second[v]), first), determinant(first[u], first[v], second[u], second[v])};
 }
 
 /// Planes (points[0..2]), (points[3..5]), (points[6..8]); base points[0]; degrees 7 and 6.

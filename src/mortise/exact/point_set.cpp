@@ -240,7 +240,7 @@ DoubleDouble PointSet::Storage::near_orient2d(const ThreePoints& points, Axis ax
   const auto from_first = [&](std::size_t i, std::size_t coordinate) {
     return rounded(points[i], coordinate).value() - rounded(points[0], coordinate).value();
   };
-  return minor(from_first(1, u), from_first(1, v), from_first(2, u), from_first(2, v));
+  return determinant(from_first(1, u), from_first(1, v), from_first(2, u), from_first(2, v));
 }
 
 Sign PointSet::Storage::exact_orient2d(const ThreePoints& points, Axis axis) const {

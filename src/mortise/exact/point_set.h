@@ -26,7 +26,8 @@ using LinePoints = std::array<PointId, 2>;
 ///
 /// Made points refer to input points only. They are homogeneous (x, y, z, w) polynomials of the input coordinates: degree
 /// (4, 3) for line x plane, (3, 2) for two coplanar lines, (7, 6) for three planes. Every answer is exact and climbs:
-/// known by construction, filter on the nearest doubles, double-double with cached bounds, exact.
+/// known by construction, filter on the nearest doubles, double-double with cached bounds, exact. Answers change nothing
+/// and may be asked from several threads. A made point takes about 200 bytes, an input point 50.
 class PointSet {
  public:
   PointSet();
