@@ -310,7 +310,7 @@ bool is_on_another(const Scene& scene, const Position& corner) {
 }  // namespace
 
 TEST_CASE("contact points of the small scenes are the oracle's, rounded once") {
-  for (const Scene& scene : small_scenes()) {
+  for (const Scene& scene : scenes_for_rationals()) {
     INFO(scene.name);
     const Arrangement whole(scene.operands);  // with the crossings of segments, which the oracle has too
     const Positions corners = corners_of(scene);

@@ -7,8 +7,8 @@
 #include <map>
 #include <stdexcept>
 
-#include "support/boolean_scenes.h"
 #include "support/exact_points.h"
+#include "support/test_scale.h"
 
 namespace mortise::test {
 namespace {
@@ -147,6 +147,13 @@ class FacetJudge {
 };
 
 }  // namespace
+
+std::vector<Scene> scenes_for_rationals() {
+  std::vector<Scene> scenes;
+  const std::vector<Scene> all = small_scenes();
+  for (std::size_t i = 0; i < all.size(); i += is_reduced_run() ? 4 : 1) scenes.push_back(all[i]);
+  return scenes;
+}
 
 OperandFaces gather(const std::vector<SurfaceMesh>& operands, const std::vector<std::size_t>& self) {
   const auto pointers = pointers_to(operands);

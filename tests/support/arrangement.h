@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mortise/arrange/triangulate_faces.h"
+#include "support/boolean_scenes.h"
 
 namespace mortise::test {
 
@@ -32,6 +33,9 @@ struct Arrangement {
   /// Facets that have this face among their sources, ascending.
   [[nodiscard]] std::vector<FacetId> facets_of(SourceId f) const;
 };
+
+/// The small scenes, in a reduced run every fourth: for checks in rationals, which take their time.
+[[nodiscard]] std::vector<Scene> scenes_for_rationals();
 
 /// Every operand's self contacts set as `self` asks for.
 [[nodiscard]] OperandFaces gather(const std::vector<SurfaceMesh>& operands, const std::vector<std::size_t>& self = {});
