@@ -4,35 +4,7 @@
 #define CATCH_CONFIG_RUNNER
 #include "support/catch.h"
 
-#include <algorithm>
-
 #include "support/test_scale.h"
-
-namespace mortise::test {
-namespace {
-
-bool long_run = false;
-
-}  // namespace
-
-bool is_long_run() { return long_run; }
-
-bool is_reduced_run() {
-#if defined(__EMSCRIPTEN__) || defined(__SANITIZE_ADDRESS__)
-  return true;
-#elif defined(__has_feature)
-  return __has_feature(address_sanitizer);
-#else
-  return false;
-#endif
-}
-
-std::size_t scaled_count(std::size_t full, std::size_t long_count) {
-  if (long_run) return long_count;
-  return is_reduced_run() ? std::max<std::size_t>(full / 10, 1) : full;
-}
-
-}  // namespace mortise::test
 
 int main(int argc, char** argv) {
   Catch::Session session;
@@ -43,7 +15,9 @@ int main(int argc, char** argv) {
   using Catch::clara::Opt;
 #endif
 #endif
-  session.cli(session.cli() | Opt(mortise::test::long_run)["--long"]("run a million random cases of every kind"));
+  bool long_run = false;
+  session.cli(session.cli() | Opt(long_run)["--long"]("run a million random cases of every kind"));
   if (const int usage_error = session.applyCommandLine(argc, argv); usage_error != 0) return usage_error;
+  mortise::test::set_long_run(long_run);
   return session.run();
 }

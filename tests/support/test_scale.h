@@ -7,6 +7,9 @@
 
 namespace mortise::test {
 
+/// For the test program: was `--long` given on the command line?
+void set_long_run(bool is_long);
+
 /// Was `--long` given on the command line?
 [[nodiscard]] bool is_long_run();
 
