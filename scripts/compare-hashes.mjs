@@ -26,6 +26,15 @@ const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
 /** The bytes of a typed array. */
 const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
 
+const textBytes = (text) => new TextEncoder().encode(text);
+
+/** The arrays of a mesh with their names. */
+function arraysOfMesh(prefix, { positions, triangles, faceLabels, labelNames }) {
+  const surface = [[`${prefix}positions`, bytesOf(positions)], [`${prefix}triangles`, bytesOf(triangles)]];
+  if (faceLabels === undefined) return surface;
+  return [...surface, [`${prefix}faceLabels`, bytesOf(faceLabels)], [`${prefix}labelNames`, textBytes(labelNames.map((name) => `${name}\n`).join(''))]];
+}
+
 /** make() parameters from numbers in the order of the C++ function. */
 function makeShape(name, numbers) {
   const pairs = (list) => list.flatMap((x, i) => (i % 2 === 0 ? [[x, list[i + 1]]] : []));
@@ -76,11 +85,11 @@ function storedOperands(folder) {
 function outcome(operation, operands) {
   try {
     const { mesh, provenance, graph, report } = mortise[operation](operands);
+    const { categoryNames: _, coveringSets, ...perTriangle } = provenance;
     const { volume, area, minAngleDeg, maxAngleDeg, contact } = report;
     const arrays = {
-      positions: mesh.positions,
-      triangles: mesh.triangles,
-      ...provenance,
+      ...perTriangle,
+      coveringSets: Uint32Array.from(coveringSets.flatMap((set) => [...set])),
       graphPoints: graph.points,
       graphEdges: graph.edges,
       graphChains: Uint32Array.from(graph.chains.flatMap((chain) => [...chain])),
@@ -88,19 +97,20 @@ function outcome(operation, operands) {
       'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
       stl: mortise.writeMesh(mesh, { format: 'stl' }),
     };
-    return Object.entries(arrays).map(([name, array]) => [`${operation}.${name}`, bytesOf(array)]);
+    return [
+      ...arraysOfMesh(`${operation}.`, mesh),
+      ...arraysOfMesh(`${operation}.float32.`, mortise.roundToFloat32(mesh)),
+      ...Object.entries(arrays).map(([name, array]) => [`${operation}.${name}`, bytesOf(array)]),
+    ];
   } catch (error) {
     if (!(error instanceof MeshError)) throw error;
-    return [[`${operation}.error`, new TextEncoder().encode(error.code)]];
+    return [[`${operation}.error`, textBytes(error.code)]];
   }
 }
 
 /** Every array of a scene by name. */
 function arraysOf(operands) {
-  const given = operands.flatMap(({ positions, triangles }, k) => [
-    [`operand${k}.positions`, bytesOf(positions)],
-    [`operand${k}.triangles`, bytesOf(triangles)],
-  ]);
+  const given = operands.flatMap((mesh, k) => arraysOfMesh(`operand${k}.`, mesh));
   return new Map([...given, ...['union', 'intersect', 'subtract'].flatMap((operation) => outcome(operation, operands))]);
 }
 

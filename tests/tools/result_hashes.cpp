@@ -16,6 +16,7 @@
 #include "mortise/io/files.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
+#include "mortise/mesh/round_to_float32.h"
 #include "mortise/mesh/shape_by_name.h"
 #include "mortise/mesh/transform.h"
 #include "support/boolean_scenes.h"
@@ -96,12 +97,22 @@ void write_array(const fs::path& path, const std::vector<T>& values) {
 void write_surface(const std::string& prefix, const SurfaceMesh& mesh) {
   write_array(prefix + "positions", mesh.points);
   write_array(prefix + "triangles", mesh.triangles);
+  if (mesh.face_labels.empty()) return;
+  write_array(prefix + "faceLabels", mesh.face_labels);
+  std::string names;
+  for (const std::string& name : mesh.label_names) names += name + '\n';
+  write_bytes(prefix + "labelNames", names.data(), names.size());
 }
 
 void write_provenance(const std::string& prefix, const Provenance& provenance) {
   write_array(prefix + "sourceOperand", provenance.source_operand);
   write_array(prefix + "sourceFace", provenance.source_face);
   write_array(prefix + "flipped", provenance.flipped);
+  write_array(prefix + "category", provenance.category);
+  write_array(prefix + "covering", provenance.covering);
+  std::vector<std::uint32_t> sets;
+  for (const auto& set : provenance.covering_sets) sets.insert(sets.end(), set.begin(), set.end());
+  write_array(prefix + "coveringSets", sets);
   write_array(prefix + "otherSourceBegin", provenance.other_source_begin);
   write_array(prefix + "otherSourceOperand", provenance.other_source_operand);
   write_array(prefix + "otherSourceFace", provenance.other_source_face);
@@ -130,6 +141,7 @@ void write_result(const std::string& prefix, const BooleanResult& result) {
   write_provenance(prefix, result.provenance);
   write_graph(prefix, result.graph);
   write_measures(prefix, result);
+  write_surface(prefix + "float32.", round_to_float32(result.mesh));
   for (const Format format : {Format::PlyAscii, Format::StlBinary}) {
     const std::string bytes = write_mesh(result.mesh, format);
     write_bytes(prefix + std::string(format_name(format)), bytes.data(), bytes.size());

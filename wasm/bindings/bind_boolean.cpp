@@ -3,6 +3,7 @@
 // The booleans: meshes in, {mesh, report, graph, provenance} out.
 #include <emscripten/bind.h>
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -51,13 +52,21 @@ BooleanOptions options_in(const val& listener) {
   return options;
 }
 
+val lists_out(const std::vector<std::vector<std::uint32_t>>& lists) {
+  val array = val::array();
+  for (const std::vector<std::uint32_t>& list : lists) array.call<void>("push", copy_out(list));
+  return array;
+}
+
+std::span<const std::uint8_t> category_codes(const std::vector<FacetCategory>& categories) {
+  return {reinterpret_cast<const std::uint8_t*>(categories.data()), categories.size()};
+}
+
 val graph_out(const IntersectionGraph& graph) {
-  val chains = val::array();
-  for (const std::vector<std::uint32_t>& chain : graph.chains) chains.call<void>("push", copy_out(chain));
   val object = val::object();
   object.set("points", points_out(graph.points));
   object.set("edges", pairs_out(graph.edges));
-  object.set("chains", chains);
+  object.set("chains", lists_out(graph.chains));
   object.set("closedLoops", graph.closed_loops);
   object.set("openChains", graph.open_chains);
   return object;
@@ -68,6 +77,10 @@ val provenance_out(const Provenance& provenance) {
   object.set("sourceOperand", copy_out(provenance.source_operand));
   object.set("sourceFace", copy_out(provenance.source_face));
   object.set("flipped", copy_out(provenance.flipped));
+  object.set("category", copy_out(category_codes(provenance.category)));
+  object.set("categoryNames", strings_out({"outside", "inside", "onSame", "onOpposite"}));
+  object.set("covering", copy_out(provenance.covering));
+  object.set("coveringSets", lists_out(provenance.covering_sets));
   object.set("otherSourceBegin", copy_out(provenance.other_source_begin));
   object.set("otherSourceOperand", copy_out(provenance.other_source_operand));
   object.set("otherSourceFace", copy_out(provenance.other_source_face));

@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "border.h"
+#include "mortise/mesh/round_to_float32.h"
 #include "mortise/mesh/shape_by_name.h"
 #include "mortise/mesh/transform.h"
 #include "report.h"
@@ -55,6 +56,10 @@ val transform_mesh(const val& mesh, const val& steps) {
   return answer([&] { return mesh_out(transform(mesh_in(mesh), map_of(steps))); });
 }
 
+val round_mesh(const val& mesh) {
+  return answer([&] { return mesh_out(round_to_float32(mesh_in(mesh))); });
+}
+
 val inspect_mesh(const val& mesh) {
   return answer([&] { return inspection_out(mesh_in(mesh)); });
 }
@@ -64,6 +69,7 @@ val inspect_mesh(const val& mesh) {
 EMSCRIPTEN_BINDINGS(mortise_mesh) {
   emscripten::function("makeShape", &make);
   emscripten::function("transformMesh", &transform_mesh);
+  emscripten::function("roundToFloat32", &round_mesh);
   emscripten::function("inspectMesh", &inspect_mesh);
 }
 

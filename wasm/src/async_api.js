@@ -49,6 +49,8 @@ export function createAsyncApi(compileFrom, host) {
     inspect: later('inspect'),
     /** @type {typeof import('./index.js').transform} */
     transform: later('transform'),
+    /** @type {typeof import('./index.js').roundToFloat32} */
+    roundToFloat32: later('roundToFloat32'),
     /** @type {typeof import('./index.js').make} */
     make: later('make'),
     /** @type {typeof import('./index.js').writeMesh} */

@@ -19,6 +19,7 @@ export interface CheckedMesh {
 
 export interface Core {
   evaluateBoolean(operation: string, operands: CheckedMesh[], listener: ((stage: string, fraction: number) => boolean) | undefined): Answer<BooleanResult>;
+  roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;

@@ -100,6 +100,13 @@ export interface Provenance {
   sourceFace: Uint32Array;
   /** Per triangle: 1 when it runs against its source. */
   flipped: Uint8Array;
+  /** Per triangle: how it lies to the operands other than its own, an index into `categoryNames`. */
+  category: Uint8Array;
+  /** 'outside' all of them, 'inside' one at least, coinciding with a face of another: 'onSame' or 'onOpposite' way round. */
+  categoryNames: ['outside', 'inside', 'onSame', 'onOpposite'];
+  /** Per triangle: which operands contain the space just behind it, an index into `coveringSets`. */
+  covering: Uint32Array;
+  coveringSets: Uint32Array[];
   /** Triangle i coincides also with the sources from otherSourceBegin[i] up to otherSourceBegin[i + 1] of the next two arrays. */
   otherSourceBegin: Uint32Array;
   otherSourceOperand: Uint32Array;
@@ -232,6 +239,7 @@ export interface Mortise {
   subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
   inspect(mesh: MeshInput): Report;
   transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
+  roundToFloat32(mesh: MeshInput): Mesh;
   make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Mesh;
   readMesh(source: string | URL | Uint8Array | ArrayBuffer, options?: ReadOptions): Mesh;
   writeMesh(path: string | URL, mesh: MeshInput, options?: WriteOptions): void;
@@ -258,6 +266,9 @@ export function inspect(mesh: MeshInput): Promise<Report>;
 
 /** The mesh moved by all steps in order, as one map. A mirrored mesh keeps its outside outside. */
 export function transform(mesh: MeshInput, steps: readonly TransformStep[]): Promise<Mesh>;
+
+/** The mesh as a float32 format (binary STL, a GPU) can hold it: rounded, welded, without the triangles that fell together. */
+export function roundToFloat32(mesh: MeshInput): Promise<Mesh>;
 
 /** A generated shape; all but gridSheet are closed. */
 export function make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Promise<Mesh>;

@@ -38,6 +38,7 @@ exports.intersect = forward('intersect');
 exports.subtract = forward('subtract');
 exports.inspect = forward('inspect');
 exports.transform = forward('transform');
+exports.roundToFloat32 = forward('roundToFloat32');
 exports.make = forward('make');
 exports.readMesh = forward('readMesh');
 exports.writeMesh = forward('writeMesh');

@@ -11,6 +11,7 @@ export declare const intersect: typeof mortise.intersect;
 export declare const subtract: typeof mortise.subtract;
 export declare const inspect: typeof mortise.inspect;
 export declare const transform: typeof mortise.transform;
+export declare const roundToFloat32: typeof mortise.roundToFloat32;
 export declare const make: typeof mortise.make;
 export declare const readMesh: typeof mortise.readMesh;
 export declare const writeMesh: typeof mortise.writeMesh;

@@ -205,6 +205,10 @@ export function createSyncApi(core, host, onStop) {
       const flat = checkSteps(steps);
       return ask(session, () => core.transformMesh(checked, flat), [checked]);
     },
+    roundToFloat32: (mesh) => {
+      const checked = checkMesh(mesh, 'mesh');
+      return ask(session, () => core.roundToFloat32(checked), [checked]);
+    },
     make: (shape, parameters) => {
       const [name, numbers] = checkShape(shape, parameters);
       return ask(session, () => core.makeShape(name, numbers));

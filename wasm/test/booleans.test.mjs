@@ -92,6 +92,19 @@ test('faces that coincide name both their sources', async () => {
   assert.equal(provenance.otherSourceBegin.at(-1), provenance.otherSourceOperand.length);
 });
 
+test('every triangle knows how it lies to the other operands', async () => {
+  const { provenance } = await union(cube(), cube(0.5, 0.5, 0.5));
+  assert.equal(provenance.category.length, provenance.sourceFace.length);
+  const named = new Set([...provenance.category].map((code) => provenance.categoryNames[code]));
+  assert.deepEqual([...named], ['outside'], 'a union of solids in general position keeps what lies outside');
+  const common = await intersect(cube(), cube(0.5, 0.5, 0.5));
+  assert.deepEqual(new Set([...common.provenance.category].map((code) => common.provenance.categoryNames[code])), new Set(['inside']));
+  const sets = [...common.provenance.covering].map((set) => [...common.provenance.coveringSets[set]].join());
+  assert.deepEqual(new Set(sets), new Set(['0,1']));
+  const flush = await union(cube(), cube(0, 0.5));
+  assert.ok([...flush.provenance.category].some((code) => flush.provenance.categoryNames[code] === 'onSame'));
+});
+
 test('the graph of two overlapping cubes is one closed loop of six edges', async () => {
   const { graph, report } = await union(cube(), cube(0.5, 0.5, 0.5));
   assert.equal(graph.points.length, 18);

@@ -8,7 +8,7 @@ import { join } from 'node:path';
 import test from 'node:test';
 import { pathToFileURL } from 'node:url';
 
-import { inspect, load, make, readMesh, transform, writeMesh } from 'mortise';
+import { inspect, load, make, readMesh, roundToFloat32, subtract, transform, writeMesh } from 'mortise';
 
 import { cube, soupOf, temporaryFolder } from './support.mjs';
 
@@ -121,4 +121,17 @@ test('inspect finds open edges, self-intersections and what it welded', async ()
   const welded = await inspect(soupOf(cube()));
   assert.deepEqual([welded.vertices, welded.closed, welded.certified], [8, true, true]);
   assert.ok(welded.notes.some((note) => note.startsWith('28 vertices were welded')));
+});
+
+test('what float32 collapses is cleaned up, so that the file is sound', async () => {
+  const ball = await make('icosphere', { levels: 3 });
+  const cut = await subtract(ball, await transform(ball, [{ translate: [1e-4, 2e-4, 3e-4] }]));
+  const plain = await inspect(await readMesh(await writeMesh(cut.mesh, { format: 'stl' })));
+  const rounded = await roundToFloat32(cut.mesh);
+  assert.ok(rounded.positions.every((x) => x === Math.fround(x)));
+  const stored = await readMesh(await writeMesh(rounded, { format: 'stl' }));
+  const report = await inspect(stored);
+  assert.deepEqual(stored.positions.length, rounded.positions.length);
+  assert.equal(report.closed, true);
+  assert.ok(!plain.notes.some((note) => /no area/.test(note)) || !report.notes.some((note) => /no area/.test(note)), report.notes.join());
 });

@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// What the certificate of a result says about the file it is written to.
+// What a result becomes in the file it is written to, and what its certificate says there.
 // @ts-check
 
 /**
  * @typedef {import('../index.js').Mortise} Mortise
  * @typedef {import('../index.js').BooleanResult} BooleanResult
  * @typedef {import('../index.js').Format} Format
+ * @typedef {import('../index.js').Mesh} Mesh
  * @typedef {import('../index.js').Report} Report
  */
 
@@ -16,28 +17,26 @@ function isFloat32(positions) {
 }
 
 /**
- * The report about what the file holds. A format of float32 rounds every coordinate once more; then the rounded mesh, equal positions
- * welded, is searched for crossings: it is certified only if there are none.
+ * The mesh a file of this format holds, and the report about it. A format of float32 rounds every coordinate once more; what it then
+ * holds is searched for crossings and triangles without area, and is certified only if there are none.
  * @param {Mortise} mortise
  * @param {BooleanResult} result
- * @param {Uint8Array} bytes
  * @param {Format} format
- * @returns {Report}
+ * @returns {{ mesh: Mesh, report: Report }}
  */
-export function judgeStored(mortise, { mesh, report }, bytes, format) {
-  if (format !== 'stl' || isFloat32(mesh.positions)) return report;
-  const stored = mortise.inspect(mortise.readMesh(bytes, { format }));
-  const { selfIntersections, closed } = stored;
-  const sound = selfIntersections === 0 && closed === report.closed;
-  const notes = [...report.notes, sound ? certifiedNote : uncertifiedNote(report, stored)];
-  return { ...report, selfIntersections, certified: sound, notes };
+export function storedResult(mortise, { mesh, report }, format) {
+  if (format !== 'stl' || isFloat32(mesh.positions)) return { mesh, report };
+  const stored = mortise.roundToFloat32(mesh);
+  const found = mortise.inspect(stored);
+  const certified = found.certified && found.closed === report.closed;
+  const note = certified ? 'certified is about the float32 coordinates the file stores' : lostNote(report, found);
+  const { operands, graph, contact, milliseconds } = report;
+  const stages = [...report.stages, { stage: 'round_to_float32', milliseconds: found.milliseconds }];
+  return { mesh: stored, report: { ...found, certified, operands, stages, milliseconds, graph, contact, notes: [...report.notes, ...found.notes, note] } };
 }
 
-const certifiedNote = 'certified and selfIntersections are about the float32 coordinates the file stores';
-
-/** @param {Report} report @param {Report} stored */
-function uncertifiedNote(report, stored) {
-  const found = `${stored.selfIntersections} pairs of triangles cross${stored.closed ? '' : ` and ${stored.boundaryEdges} edges are open`}`;
-  const doubles = report.certified ? 'the doubles are certified: write .ply, .obj, .off or stl-ascii to keep them' : 'the doubles are not certified either';
-  return `rounded to the float32 coordinates the file stores, ${found}; ${doubles}`;
+/** @param {Report} report @param {Report} found */
+function lostNote(report, found) {
+  const doubles = report.certified ? 'the doubles are certified: .ply, .obj, .off and stl-ascii keep them' : 'the doubles are not certified either';
+  return `the float32 coordinates the file stores are not free of crossings (${found.selfIntersections} pairs); ${doubles}`;
 }

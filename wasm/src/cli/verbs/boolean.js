@@ -6,7 +6,7 @@
 import { invalidArgument } from '../../errors.js';
 import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';
 import { exitCode } from '../exit_codes.js';
-import { judgeStored } from '../stored.js';
+import { storedResult } from '../stored.js';
 
 const meaning = {
   union: 'All that is inside any of the meshes.',
@@ -42,10 +42,9 @@ export function booleanVerb(operation) {
       const begin = performance.now();
       const operands = args.positionals.map((file) => readOperand(mortise, file, args, streams));
       const result = namingFiles(args.positionals, () => mortise[operation](operands));
-      const bytes = mortise.writeMesh(result.mesh, { format: target.format });
-      const report = judgeStored(mortise, result, bytes, target.format);
+      const { mesh, report } = storedResult(mortise, result, target.format);
       const refused = !report.certified && !args.values['allow-uncertified'];
-      if (!refused) send(target, bytes, streams);
+      if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);
       report.operands = report.operands.map((operand, i) => ({ name: displayName(args.positionals[i]), ...operand }));
       report.milliseconds = performance.now() - begin;
       printReport(report, [operation, refused ? 'not written' : `${displayName(target.file)} (${target.format})`], args, streams);
