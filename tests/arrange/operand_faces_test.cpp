@@ -176,6 +176,19 @@ TEST_CASE("every operand is judged by itself") {
   CHECK(faces.self_contacts.values() == std::vector{SelfContacts::None, SelfContacts::All, SelfContacts::None});
 }
 
+TEST_CASE("faces and operands know their boxes") {
+  const OperandFaces faces = gather({unit, SurfaceMesh{}, tetrahedron({5, 5, 5}, {7, 5, 5}, {5, 8, 5}, {5, 5, 9})});
+  const auto bounds = [&](std::size_t k) { return faces.bounds[OperandId(k)]; };
+  CHECK((bounds(0).lo == Vec3d{0, 0, 0} && bounds(0).hi == Vec3d{1, 1, 1}));
+  CHECK(bounds(1).is_empty());
+  CHECK((bounds(2).lo == Vec3d{5, 5, 5} && bounds(2).hi == Vec3d{7, 8, 9}));
+  Box3 all;
+  for (std::uint32_t f = faces.first[OperandId(std::size_t{2})]; f < faces.end(OperandId(std::size_t{2})); ++f)
+    all.extend(faces.box(SourceId(f)));
+  CHECK((all.lo == bounds(2).lo && all.hi == bounds(2).hi));
+  CHECK((faces.box(SourceId(std::size_t{0})).lo == Vec3d{0, 0, 0} && faces.box(SourceId(std::size_t{0})).hi == Vec3d{1, 1, 0}));
+}
+
 TEST_CASE("an operand that cannot be worked on is named with its vertices or faces") {
   SurfaceMesh not_finite = unit;
   not_finite.points[5].y = std::numeric_limits<double>::quiet_NaN();
