@@ -163,7 +163,8 @@ std::vector<oracle::RationalPoint> sample_points(const SurfaceMesh& mesh) {
   const std::size_t count = std::clamp<std::size_t>(scaled_count(30000, 100000) / (mesh.triangles.size() + 1), 2, 60);
   for (std::size_t k = 0; k < count; ++k) {
     Vec3d p;
-    for (std::size_t i = 0; i < 3; ++i) p[i] = bounds.lo[i] + std::ldexp(static_cast<double>(random() >> 11), -53) * (bounds.hi[i] - bounds.lo[i]);
+    for (std::size_t i = 0; i < 3; ++i)
+      p[i] = bounds.lo[i] + std::ldexp(static_cast<double>(random() >> 11), -53) * (bounds.hi[i] - bounds.lo[i]);
     points.push_back(oracle::exact(p));
   }
   return points;

@@ -40,7 +40,7 @@ TEST_CASE("the oracle rounds ties to even, subnormal numbers and overflow") {
   CHECK(oracle::nearest_double(oracle::exact(3 * tiny) / 2) == 2 * tiny);
   CHECK(oracle::nearest_double(oracle::exact(tiny) * Rational(2, 3)) == tiny);
   CHECK(oracle::nearest_double(oracle::exact(std::numeric_limits<double>::max()) * 2) == std::numeric_limits<double>::infinity());
-  CHECK(oracle::nearest_double(Rational(9007199254740993)) == 9007199254740992.0);   // 2^53 + 1: halfway, down to even
+  CHECK(oracle::nearest_double(Rational(9007199254740993)) == 9007199254740992.0);    // 2^53 + 1: halfway, down to even
   CHECK(oracle::nearest_double(Rational(-9007199254740995)) == -9007199254740996.0);  // 2^53 + 3: halfway, away to even
   CHECK(oracle::nearest_double(Rational(1, 10)) == 0.1);
   CHECK(oracle::nearest_double(oracle::exact(-0.7)) == -0.7);
@@ -84,7 +84,11 @@ TEST_CASE("the oracle makes the point where an edge passes through a face") {
 }
 
 TEST_CASE("the oracle makes the common point of three faces of three solids") {
-  const std::vector<SurfaceMesh> solids{box({0, 0, 0}, {1, 1, 1}), box({0.5, -5, -5}, {9, 5.25, 5.125}), box({-5, 0.25, -5}, {5.5, 9, 5.25}),};
+  const std::vector<SurfaceMesh> solids{
+      box({0, 0, 0}, {1, 1, 1}),
+      box({0.5, -5, -5}, {9, 5.25, 5.125}),
+      box({-5, 0.25, -5}, {5.5, 9, 5.25}),
+  };
   const std::vector<Vec3d> points = rounded(oracle::made_points(pointers_to(solids)));
   CHECK(std::find(points.begin(), points.end(), Vec3d{0.5, 0.25, 1}) != points.end());
 }
@@ -97,7 +101,8 @@ TEST_CASE("three faces in general position determine their common point, and it 
 }
 
 TEST_CASE("two coplanar faces and a third determine points on their edges only") {
-  const oracle::Corners low{{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}}}, high{{{0, 0, 0}, {3, 3, 0}, {0, 3, 0}}}, across{{{0, 1, -1}, {3, 1, -1}, {3, 1, 1}}};
+  const oracle::Corners low{{{0, 0, 0}, {3, 0, 0}, {3, 3, 0}}}, high{{{0, 0, 0}, {3, 3, 0}, {0, 3, 0}}},
+      across{{{0, 1, -1}, {3, 1, -1}, {3, 1, 1}}};
   // The plane y = 1 meets the diagonal of the square at x = 1 and its sides at x = 0 and x = 3; between them there is
   // nothing but x = 1.5, where an edge of the face across passes through the square.
   CHECK(oracle::points_determined_by({1, 1, 0}, {low, high, across}) == std::vector{oracle::exact({1, 1, 0})});

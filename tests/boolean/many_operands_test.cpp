@@ -159,7 +159,8 @@ TEST_CASE("the order of the bars does not change the sponge") {
 TEST_CASE("ten half discs cut by ten planes through one line leave the expected sectors") {
   const std::vector<SurfaceMesh> discs = half_discs(0);
   const auto one = [](std::size_t) { return 1.0; };
-  const BooleanResult all = evaluate(Operation::Union, discs), common = evaluate(Operation::Intersect, discs), first = evaluate(Operation::Subtract, discs);
+  const BooleanResult all = evaluate(Operation::Union, discs), common = evaluate(Operation::Intersect, discs),
+                      first = evaluate(Operation::Subtract, discs);
   CHECK(exact_volume(all.mesh) == sector_volume(0, 18, one));
   CHECK(exact_volume(common.mesh) == sector_volume(9, 9, one));
   CHECK(exact_volume(first.mesh) == sector_volume(0, 0, one));
@@ -180,7 +181,8 @@ TEST_CASE("ten half discs of different heights leave nine corners on the line th
 
 TEST_CASE("ten wedges round one edge unite without it") {
   std::vector<SurfaceMesh> wedges;
-  for (std::size_t i = 0; i < 20; i += 2) wedges.push_back(prism({{0, 0}, curve_point(i), curve_point(i + 1), curve_point((i + 2) % 20)}, 0, 1));
+  for (std::size_t i = 0; i < 20; i += 2)
+    wedges.push_back(prism({{0, 0}, curve_point(i), curve_point(i + 1), curve_point((i + 2) % 20)}, 0, 1));
   const BooleanResult result = evaluate(Operation::Union, wedges);
   const Shape shape = shape_of(result.mesh);
   CHECK(shape.volume == sector_volume(0, 19, [](std::size_t) { return 0.5; }));

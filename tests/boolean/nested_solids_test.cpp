@@ -94,8 +94,10 @@ TEST_CASE("a corner touching the inside of a cavity is a contact and changes not
 }
 
 TEST_CASE("several parts that touch in one vertex are all kept") {
-  const SurfaceMesh below = tetrahedron({0, 0, 0}, {-1, -1, -2}, {1, -1, -2}, {0, 1, -2}), above = tetrahedron({0, 0, 0}, {-1, -1, 2}, {1, -1, 2}, {0, 1, 2});
-  const SurfaceMesh left = tetrahedron({0, 0, 0}, {-2, -1, -1}, {-2, 1, -1}, {-2, 0, 1}), right = tetrahedron({0, 0, 0}, {2, -1, -1}, {2, 1, -1}, {2, 0, 1});
+  const SurfaceMesh below = tetrahedron({0, 0, 0}, {-1, -1, -2}, {1, -1, -2}, {0, 1, -2}),
+                    above = tetrahedron({0, 0, 0}, {-1, -1, 2}, {1, -1, 2}, {0, 1, 2});
+  const SurfaceMesh left = tetrahedron({0, 0, 0}, {-2, -1, -1}, {-2, 1, -1}, {-2, 0, 1}),
+                    right = tetrahedron({0, 0, 0}, {2, -1, -1}, {2, 1, -1}, {2, 0, 1});
   const BooleanResult all = checked(Operation::Union, {below, above, left, right});
   CHECK(all.mesh.triangles.size() == 16);
   CHECK(all.mesh.points.size() == 13);

@@ -60,7 +60,8 @@ TEST_CASE("a wall of 6 x 3 x 0.2 less a window of 1 x 1 has volume 3.4") {
 }
 
 TEST_CASE("a window flush with both sides of the wall is the same hole") {
-  const Shape shape = shape_of(checked(Operation::Subtract, {box({0, 0, 0}, {6, 0.2, 3}), box_other_diagonals({2, 0, 1}, {3, 0.2, 2})}).mesh);
+  const Shape shape =
+      shape_of(checked(Operation::Subtract, {box({0, 0, 0}, {6, 0.2, 3}), box_other_diagonals({2, 0, 1}, {3, 0.2, 2})}).mesh);
   CHECK(shape.volume == Approx(3.4).epsilon(1e-14));
   CHECK((shape.genus == 1 && shape.shells == 1));
 }
@@ -85,8 +86,8 @@ TEST_CASE("two equal cylinders crossing have the Steinmetz solid in common") {
   std::vector<double> errors;
   for (const std::size_t n : {16U, 32U, 64U}) {
     const auto polygon = circle(n);
-    const SurfaceMesh along_x = with_axes_turned(prism(polygon, -2, 2));           // the polygon in (y, z)
-    const SurfaceMesh along_y = quarter_turned(along_x);                           // the polygon in (x, z)
+    const SurfaceMesh along_x = with_axes_turned(prism(polygon, -2, 2));  // the polygon in (y, z)
+    const SurfaceMesh along_y = quarter_turned(along_x);                  // the polygon in (x, z)
     const double volume = exact_volume(checked(Operation::Intersect, {along_x, along_y}).mesh);
     CHECK(volume == Approx(common_of_crossing_cylinders(polygon)).epsilon(1e-13));
     errors.push_back(16.0 / 3 - volume);

@@ -47,7 +47,8 @@ std::vector<std::size_t> all_of(std::size_t n) {
 }
 
 /// Two parts: union, intersection, first less second, second less first.
-std::vector<Figures> pair_figures(const std::string& all, const std::string& both, const std::string& a_less_b, const std::string& b_less_a) {
+std::vector<Figures> pair_figures(const std::string& all, const std::string& both, const std::string& a_less_b,
+                                  const std::string& b_less_a) {
   return {{unite_all, {0, 1}, all, ""}, {common, {0, 1}, both, ""}, {less_rest, {0, 1}, a_less_b, ""}, {less_rest, {1, 0}, b_less_a, ""}};
 }
 
@@ -183,7 +184,8 @@ void check_identities(const Loaded& loaded, const std::vector<BooleanResult>& re
   for (const BooleanResult& result : results) {
     const Shape shape = shape_of(result.mesh);
     volume.push_back(shape.volume);
-    tolerance = std::max(tolerance, identity_tolerance(loaded.volumes[0] + loaded.volumes[1], shape.area, result.report, loaded.coordinate));
+    tolerance =
+        std::max(tolerance, identity_tolerance(loaded.volumes[0] + loaded.volumes[1], shape.area, result.report, loaded.coordinate));
   }
   CHECK(std::abs(loaded.volumes[0] + loaded.volumes[1] - volume[0] - volume[1]) <= 2 * tolerance);
   CHECK(std::abs(loaded.volumes[0] - volume[1] - volume[2]) <= 2 * tolerance);
@@ -216,7 +218,8 @@ TEST_CASE("booleans of real meshes agree with the printed figures, closed, orien
 TEST_CASE("the sphere pair has as many triangles as the answer published with it", "[data]") {
   if (!data_folder()) return;
   const SurfaceMesh published = read_data("primitives/gch_sphere1_minus_sphere2.obj");
-  const BooleanResult result = evaluate(Operation::Subtract, {read_data("primitives/gch_sphere1.obj"), read_data("primitives/gch_sphere2.obj")});
+  const BooleanResult result =
+      evaluate(Operation::Subtract, {read_data("primitives/gch_sphere1.obj"), read_data("primitives/gch_sphere2.obj")});
   CHECK(published.triangles.size() == 3140);
   CHECK(result.mesh.triangles.size() == published.triangles.size());
   CHECK(result.mesh.points.size() == published.points.size());

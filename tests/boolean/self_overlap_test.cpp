@@ -55,7 +55,8 @@ TEST_CASE("an operand that overlaps itself is right when another crosses the ove
   CHECK(exact_volume(all.mesh) == volume_of(Operation::Union, {two_cubes[0], two_cubes[1], bar}));
   CHECK(is_reported(all, 0));
   CHECK(!is_reported(all, 1));
-  CHECK(exact_volume(checked(Operation::Subtract, {bar, overlapping}).mesh) == volume_of(Operation::Subtract, {bar, two_cubes[0], two_cubes[1]}));
+  CHECK(exact_volume(checked(Operation::Subtract, {bar, overlapping}).mesh) ==
+        volume_of(Operation::Subtract, {bar, two_cubes[0], two_cubes[1]}));
   const double common = exact_volume(bar) + 120 - exact_volume(all.mesh);
   CHECK(exact_volume(checked(Operation::Intersect, {overlapping, bar}).mesh) == common);
   CHECK(exact_volume(checked(Operation::Subtract, {overlapping, bar}).mesh) == 120 - common);

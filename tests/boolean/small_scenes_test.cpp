@@ -35,9 +35,8 @@ std::vector<Vec3d> input_points(const Scene& scene) {
 }  // namespace
 
 TEST_CASE("results of the small scenes are closed, oriented, certified, and their provenance is right") {
-  for_each_result([](const Scene& scene, Operation, const BooleanResult& result) {
-    CHECK(faults_of(pointers_to(scene.operands), result) == "");
-  });
+  for_each_result(
+      [](const Scene& scene, Operation, const BooleanResult& result) { CHECK(faults_of(pointers_to(scene.operands), result) == ""); });
 }
 
 TEST_CASE("results of the small scenes have no face through another") {

@@ -113,7 +113,8 @@ TEST_CASE("one ulp between two boxes keeps them apart") {
 TEST_CASE("a vertex, an edge or a face on a face is reported as contact") {
   const BooleanResult vertex = evaluate(Operation::Union, {unit, tetrahedron({0.5, 0.25, 1}, {0.3, 0.3, 2}, {0.7, 0.3, 2}, {0.5, 0.7, 2})});
   CHECK((vertex.report.contact.points == 1 && vertex.report.contact.length == 0 && vertex.report.contact.area == 0));
-  const BooleanResult edge = evaluate(Operation::Union, {unit, tetrahedron({0.25, 0.5, 1}, {0.75, 0.5, 1}, {0.5, 0.25, 2}, {0.5, 0.75, 2})});
+  const BooleanResult edge =
+      evaluate(Operation::Union, {unit, tetrahedron({0.25, 0.5, 1}, {0.75, 0.5, 1}, {0.5, 0.25, 2}, {0.5, 0.75, 2})});
   CHECK((edge.report.contact.points == 0 && edge.report.contact.length == 0.5 && edge.report.contact.area == 0));
   const BooleanResult face = evaluate(Operation::Union, {unit, box({0.25, 0.25, 1}, {0.75, 0.75, 2})});
   CHECK(face.report.contact.area == 0.25);

@@ -104,7 +104,8 @@ double area_of(const SurfaceMesh& mesh) {
 void check_sizes(const BooleanResult& result, Faults& faults) {
   const std::size_t facets = result.mesh.triangles.size(), vertices = result.mesh.points.size();
   const Provenance& p = result.provenance;
-  if (p.source_operand.size() != facets || p.source_face.size() != facets || p.flipped.size() != facets) faults.add("facet arrays differ in size", facets);
+  if (p.source_operand.size() != facets || p.source_face.size() != facets || p.flipped.size() != facets)
+    faults.add("facet arrays differ in size", facets);
   if (p.other_source_begin.size() != facets + 1 || p.other_source_begin.back() != p.other_source_operand.size() ||
       p.other_source_face.size() != p.other_source_operand.size()) {
     faults.add("other sources differ in size", facets);
@@ -123,7 +124,8 @@ void check_vertices(const SurfaceMesh& mesh, Faults& faults) {
   }
   for (std::size_t v = 0; v < used.size(); ++v) {
     if (used[v] == 0) faults.add("vertex without a face", v);
-    if (!std::isfinite(mesh.points[v].x) || !std::isfinite(mesh.points[v].y) || !std::isfinite(mesh.points[v].z)) faults.add("vertex not finite", v);
+    if (!std::isfinite(mesh.points[v].x) || !std::isfinite(mesh.points[v].y) || !std::isfinite(mesh.points[v].z))
+      faults.add("vertex not finite", v);
   }
   const auto points = sorted_points(mesh);
   if (std::adjacent_find(points.begin(), points.end()) != points.end()) faults.add("two vertices at one place", points.size());
@@ -300,7 +302,9 @@ bool is_untouched(const Provenance& p, const BooleanResult& result, std::span<co
 }
 
 bool are_sources_in_range(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Faults& faults) {
-  const auto exists = [&](std::uint32_t operand, std::uint32_t face) { return operand < operands.size() && face < operands[operand]->triangles.size(); };
+  const auto exists = [&](std::uint32_t operand, std::uint32_t face) {
+    return operand < operands.size() && face < operands[operand]->triangles.size();
+  };
   bool fine = true;
   for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
     for (const SourceFace& s : sources_of(result.provenance, f)) {
@@ -310,12 +314,14 @@ bool are_sources_in_range(std::span<const SurfaceMesh* const> operands, const Bo
   for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
     const std::uint32_t operand = result.provenance.vertex_operand[v], source = result.provenance.vertex_source[v];
     if (operand == Provenance::none && source == Provenance::none) continue;
-    if (operand >= operands.size() || source >= operands[operand]->points.size()) faults.add("vertex with a source that does not exist", v), fine = false;
+    if (operand >= operands.size() || source >= operands[operand]->points.size())
+      faults.add("vertex with a source that does not exist", v), fine = false;
   }
   return fine;
 }
 
-std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs, Faults& faults) {
+std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs,
+                                          Faults& faults) {
   const auto round = sources_round_made_vertices(result);
   std::vector<RationalPoint> positions;
   for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
@@ -391,7 +397,8 @@ Shape shape_of(const SurfaceMesh& mesh) {
     if (uses.size() > 2) ++shape.pinched_edges;
     for (std::size_t i = 1; i < uses.size(); ++i) {
       shells.join(uses[0].face, uses[i].face);
-      for (const std::uint32_t v : {uses[0].low, uses[0].high}) corners.join(corner_at(mesh, uses[0].face, v), corner_at(mesh, uses[i].face, v));
+      for (const std::uint32_t v : {uses[0].low, uses[0].high})
+        corners.join(corner_at(mesh, uses[0].face, v), corner_at(mesh, uses[i].face, v));
     }
   });
   shape.shells = shells.count();
@@ -409,7 +416,8 @@ std::string faults_of_mesh(const BooleanResult& result) {
   check_balance(result.mesh, faults);
   check_graph(result.graph, faults);
   const Certificate& certificate = result.report.certificate;
-  if (certificate.status != CertificateStatus::Certified || !certificate.failed_faces.empty()) faults.add("not certified", certificate.failed_faces.size());
+  if (certificate.status != CertificateStatus::Certified || !certificate.failed_faces.empty())
+    faults.add("not certified", certificate.failed_faces.size());
   return faults.text();
 }
 

@@ -43,7 +43,8 @@ enum class Repairs { None, Allowed };
 [[nodiscard]] std::vector<oracle::RationalPoint> exact_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result);
 
 /// Both of the above.
-[[nodiscard]] std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs = Repairs::None);
+[[nodiscard]] std::string faults_of(std::span<const SurfaceMesh* const> operands, const BooleanResult& result,
+                                    Repairs repairs = Repairs::None);
 
 /// The positions of a mesh, sorted: equal for equal point sets.
 [[nodiscard]] std::vector<std::array<double, 3>> sorted_points(const SurfaceMesh& mesh);

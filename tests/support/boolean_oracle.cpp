@@ -120,7 +120,9 @@ bool contains(const Facet& facet, const RationalPoint& p) {
   return true;
 }
 
-bool is_in_segment(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) { return dot_product(minus(a, p), minus(b, p)) <= 0; }
+bool is_in_segment(const RationalPoint& a, const RationalPoint& b, const RationalPoint& p) {
+  return dot_product(minus(a, p), minus(b, p)) <= 0;
+}
 
 std::optional<RationalPoint> line_through_plane(const RationalPoint& a, const RationalPoint& b, const Plane& plane) {
   const Rational height_a = plane.height(a);
@@ -130,7 +132,8 @@ std::optional<RationalPoint> line_through_plane(const RationalPoint& a, const Ra
 }
 
 /// Where two lines cross; nothing when they are parallel or pass one another.
-std::optional<RationalPoint> crossing_of_lines(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c, const RationalPoint& d) {
+std::optional<RationalPoint> crossing_of_lines(const RationalPoint& a, const RationalPoint& b, const RationalPoint& c,
+                                               const RationalPoint& d) {
   const RationalPoint along = minus(b, a);
   const RationalPoint normal = cross_product(along, minus(d, c));
   if (is_zero(normal) || !dot_product(normal, minus(c, a)).is_zero()) return std::nullopt;
@@ -317,7 +320,8 @@ std::vector<MadePoint> round_once(std::vector<RationalPoint> points) {
   return made;
 }
 
-void add_triple_points(const std::vector<Facet>& facets, const std::vector<std::vector<std::size_t>>& meets, std::vector<RationalPoint>& points) {
+void add_triple_points(const std::vector<Facet>& facets, const std::vector<std::vector<std::size_t>>& meets,
+                       std::vector<RationalPoint>& points) {
   for (std::size_t i = 0; i < facets.size(); ++i) {
     for (std::size_t m = 0; m < meets[i].size(); ++m) {
       for (std::size_t n = m + 1; n < meets[i].size(); ++n) {
@@ -494,7 +498,8 @@ std::vector<MadePoint> made_points(std::span<const SurfaceMesh* const> operands,
   return round_once(std::move(points));
 }
 
-std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::vector<Corners>& faces, const std::vector<Corners>& touching) {
+std::vector<RationalPoint> points_determined_by(const Vec3d& vertex, const std::vector<Corners>& faces,
+                                                const std::vector<Corners>& touching) {
   const std::vector<Facet> facets = proper_facets(faces);
   std::vector<RationalPoint> candidates;
   if (const auto p = first_common_point(without_parallel(facets))) {

@@ -12,7 +12,8 @@ namespace {
 
 std::vector<Vec3d> box_corners(const Vec3d& lo, const Vec3d& hi) {
   std::vector<Vec3d> points;
-  for (std::size_t i = 0; i < 8; ++i) points.push_back({(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z});
+  for (std::size_t i = 0; i < 8; ++i)
+    points.push_back({(i & 1) != 0 ? hi.x : lo.x, (i & 2) != 0 ? hi.y : lo.y, (i & 4) != 0 ? hi.z : lo.z});
   return points;
 }
 
@@ -164,7 +165,8 @@ std::vector<Scene> small_scenes() {
        {box({0, 0, 0}, {2, 2, 1}), box_other_diagonals({1, 1, 1}, {3, 3, 2}), box({0.5, 0.5, 1}, {1.5, 2.5, 3})}},
       {"three boxes round an edge", {unit, moved(unit, {1, 0, 0}), moved(unit, {0, 1, 0})}},
       {"three tetrahedra",
-       {tet, tetrahedron({2, 2, 2}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}), tetrahedron({1, -1, 0.5}, {0.5, 2, 0.25}, {2, 1, -1}, {0.75, 0.5, 2})}},
+       {tet, tetrahedron({2, 2, 2}, {-1, 0, 0}, {0, -1, 0}, {0, 0, -1}),
+        tetrahedron({1, -1, 0.5}, {0.5, 2, 0.25}, {2, 1, -1}, {0.75, 0.5, 2})}},
       {"two crossing boxes inside a third", {box({0, 0, 0}, {9, 9, 9}), box({1, 1, 1}, {4, 4, 4}), box({3, 3, 3}, {6, 5, 5})}},
       {"a box in a cavity", {joined({box({0, 0, 0}, {9, 9, 9}), inside_out(box({1, 1, 1}, {8, 8, 8}))}), box({3, 3, 3}, {5, 5, 5})}},
       {"a box across a cavity", {joined({box({0, 0, 0}, {9, 9, 9}), inside_out(box({1, 1, 1}, {8, 8, 8}))}), box({4, 4, 4}, {5, 5, 12})}},
