@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "border.h"
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/result_regions.h"
 #include "report.h"
 
 namespace mortise::wasm {
@@ -72,11 +73,20 @@ val graph_out(const IntersectionGraph& graph) {
   return object;
 }
 
-val provenance_out(const Provenance& provenance) {
+/// Region ids per triangle: behind it, and in front of it, where nothing of a boolean lies.
+void set_regions(val& object, const std::vector<std::uint32_t>& region_of_facet) {
+  std::vector<std::uint32_t> behind;
+  for (const std::uint32_t region : region_of_facet) behind.push_back(region + 1);
+  object.set("regionLeft", copy_out(behind));
+  object.set("regionRight", copy_out(std::vector<std::uint32_t>(behind.size(), 0)));
+}
+
+val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   val object = val::object();
   object.set("sourceOperand", copy_out(provenance.source_operand));
   object.set("sourceFace", copy_out(provenance.source_face));
   object.set("flipped", copy_out(provenance.flipped));
+  set_regions(object, regions.region_of_facet);
   object.set("category", copy_out(category_codes(provenance.category)));
   object.set("categoryNames", strings_out({"outside", "inside", "onSame", "onOpposite"}));
   object.set("covering", copy_out(provenance.covering));
@@ -95,9 +105,10 @@ val evaluate(const std::string& operation, const val& meshes, const val& listene
     const BooleanResult result = evaluate_boolean(operation_from_name(operation), pointers_to(operands), options_in(listener));
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
-    object.set("report", boolean_report_out(operands, result));
+    const ResultRegions regions = find_result_regions(result);
+    object.set("report", boolean_report_out(operands, result, regions));
     object.set("graph", graph_out(result.graph));
-    object.set("provenance", provenance_out(result.provenance));
+    object.set("provenance", provenance_out(result.provenance, regions));
     return object;
   });
 }

@@ -124,11 +124,26 @@ std::string certificate_note(const Certificate& certificate) {
   return tested + moved + "; " + std::to_string(certificate.failed_faces.size()) + " triangles are not proven free of new crossings";
 }
 
+/// Ids begin with 1: 0 is the space outside.
+val regions_out(const std::vector<ResultRegion>& regions) {
+  val array = val::array();
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    val object = val::object();
+    object.set("id", static_cast<std::uint32_t>(i + 1));
+    object.set("operands", list_out(regions[i].operands, [](std::uint32_t operand) { return val(operand); }));
+    object.set("volume", regions[i].volume);
+    object.set("area", regions[i].area);
+    array.call<void>("push", object);
+  }
+  return array;
+}
+
 /// What a report says beside the mesh itself.
 struct Account {
   bool certified = false;
   val operands = val::array();
   std::vector<StageTime> times;
+  std::vector<ResultRegion> regions;
   IntersectionGraph graph;
   ContactMeasure contact;
   std::vector<std::string> notes;
@@ -150,6 +165,7 @@ val report_out(const MeshReport& report, const Account& account) {
   object.set("operands", account.operands);
   object.set("stages", list_out(account.times, stage_out));
   object.set("milliseconds", 0);
+  object.set("regions", regions_out(account.regions));
   object.set("graph", graph_counts_out(account.graph));
   object.set("contact", contact_out(account.contact));
   object.set("notes", strings_out(account.notes));
@@ -169,7 +185,7 @@ val inspection_out(const SurfaceMesh& mesh) {
   return report_out(report, account);
 }
 
-val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result) {
+val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result, const ResultRegions& regions) {
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;
   account.operands = operands_out(operands, result.report.self_contacts);
@@ -178,6 +194,7 @@ val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResul
   account.contact = result.report.contact;
   account.notes = result.report.notes;
   account.notes.push_back(certificate_note(result.report.certificate));
+  account.regions = regions.regions;
   const MeshReport report = inspect_into(result.mesh, account);
   return report_out(report, account);
 }

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mortise/boolean/result.h"
+#include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/surface_mesh.h"
 
 namespace mortise::wasm {
@@ -16,6 +17,7 @@ namespace mortise::wasm {
 [[nodiscard]] emscripten::val inspection_out(const SurfaceMesh& mesh);
 
 /// The report on a boolean. `milliseconds` is left to the caller.
-[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result);
+[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result,
+                                                 const ResultRegions& regions);
 
 }  // namespace mortise::wasm

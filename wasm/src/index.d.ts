@@ -40,6 +40,16 @@ export interface StageReport {
   milliseconds: number;
 }
 
+export interface RegionReport {
+  /** 1, 2, ...: what `provenance.regionLeft` says; 0 is the space outside. */
+  id: number;
+  /** Operands that contain the region next to its boundary, ascending. */
+  operands: number[];
+  volume: number;
+  /** Of its whole boundary, cavities included. */
+  area: number;
+}
+
 /** Numbers about a mesh and the call that made it; the JSON report of the command has the same fields. */
 export interface Report {
   vertices: number;
@@ -73,6 +83,8 @@ export interface Report {
   operands: OperandReport[];
   stages: StageReport[];
   milliseconds: number;
+  /** The connected solids of a boolean's result; bodies that touch in an edge or a corner are two. Empty for `inspect`. */
+  regions: RegionReport[];
   /** Where boundaries of different operands meet. */
   graph: { vertices: number; edges: number; closedLoops: number; openChains: number };
   /** What operands share without sharing volume. */
@@ -100,6 +112,10 @@ export interface Provenance {
   sourceFace: Uint32Array;
   /** Per triangle: 1 when it runs against its source. */
   flipped: Uint8Array;
+  /** Per triangle: id of the region behind it. */
+  regionLeft: Uint32Array;
+  /** Per triangle: id of the region in front of it; 0 for a boolean. */
+  regionRight: Uint32Array;
   /** Per triangle: how it lies to the operands other than its own, an index into `categoryNames`. */
   category: Uint8Array;
   /** 'outside' all of them, 'inside' one at least, coinciding with a face of another: 'onSame' or 'onOpposite' way round. */

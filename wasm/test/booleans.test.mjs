@@ -105,6 +105,19 @@ test('every triangle knows how it lies to the other operands', async () => {
   assert.ok([...flush.provenance.category].some((code) => flush.provenance.categoryNames[code] === 'onSame'));
 });
 
+test('regions have ids, operands, volume and area, and triangles know theirs', async () => {
+  const { provenance, report } = await union(cube(), cube(0.5), cube(9));
+  assert.deepEqual(report.regions, [
+    { id: 1, operands: [0, 1], volume: 1.5, area: 8 },
+    { id: 2, operands: [2], volume: 1, area: 6 },
+  ]);
+  assert.deepEqual([...new Set(provenance.regionLeft)], [1, 2]);
+  assert.deepEqual([...new Set(provenance.regionRight)], [0]);
+  assert.equal(provenance.regionLeft.length, provenance.sourceFace.length);
+  const bars = await subtract(cube(), await transform(cube(), [{ scale: 0.5 }, { translate: [0.5, 0.5, 0.5] }]));
+  assert.deepEqual(bars.report.regions.map(({ operands, volume }) => ({ operands, volume })), [{ operands: [0], volume: 0.875 }]);
+});
+
 test('the graph of two overlapping cubes is one closed loop of six edges', async () => {
   const { graph, report } = await union(cube(), cube(0.5, 0.5, 0.5));
   assert.equal(graph.points.length, 18);
@@ -142,7 +155,7 @@ test('the report has exactly the documented fields, in their order', async () =>
   const { report } = await union(cube(), cube(0.5));
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified operands stages milliseconds graph contact notes';
+    'selfIntersections certified operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(report), fields.split(' '));
   assert.deepEqual(Object.keys(await inspect(cube())), fields.split(' '));
   assert.equal(report.certified, true);

@@ -59,7 +59,7 @@ test('the JSON report has exactly the documented fields', (t) => {
   const json = report(cubes(t), 'union', 'a.ply', 'b.obj', '-o', 'out.ply');
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified operands stages milliseconds graph contact notes';
+    'selfIntersections certified operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(json), fields.split(' '));
   assert.deepEqual(Object.keys(json.graph), ['vertices', 'edges', 'closedLoops', 'openChains']);
   assert.deepEqual(Object.keys(json.contact), ['points', 'length', 'area']);
