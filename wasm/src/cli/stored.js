@@ -30,9 +30,9 @@ export function storedResult(mortise, { mesh, report }, format) {
   const found = mortise.inspect(stored);
   const certified = found.certified && found.closed === report.closed;
   const note = certified ? 'certified is about the float32 coordinates the file stores' : lostNote(report, found);
-  const { operands, graph, contact, milliseconds } = report;
+  const { operands, milliseconds, regions, graph, contact } = report;
   const stages = [...report.stages, { stage: 'round_to_float32', milliseconds: found.milliseconds }];
-  return { mesh: stored, report: { ...found, certified, operands, stages, milliseconds, graph, contact, notes: [...report.notes, ...found.notes, note] } };
+  return { mesh: stored, report: { ...found, certified, operands, stages, milliseconds, regions, graph, contact, notes: [...report.notes, ...found.notes, note] } };
 }
 
 /** @param {Report} report @param {Report} found */
