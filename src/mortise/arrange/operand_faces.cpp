@@ -45,27 +45,47 @@ bool is_closed(const OperandFaces& faces, OperandId k) {
   return sum.low == 0 && sum.high == 0;
 }
 
-PlanePoints sorted_corners(PlanePoints c) {
-  std::sort(c.begin(), c.end());
-  return c;
-}
+// Corners of the faces of one operand, equal positions being one vertex: the lowest.
+using WeldedCorners = std::array<std::uint32_t, 3>;
 
-// Do two faces of the operand have the same three corners? Only faces with the same lowest corner are compared.
-bool has_coincident_faces(const OperandFaces& faces, OperandId k) {
-  const std::uint32_t count = faces.end(k) - faces.first[k];
-  std::vector<std::uint32_t> begin(faces.points.size() + 1, 0);
-  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) ++begin[sorted_corners(faces.corners[SourceId(f)])[0].index() + 1];
-  for (std::size_t p = 0; p + 1 < begin.size(); ++p) begin[p + 1] += begin[p];
-  std::vector<std::array<PointId, 2>> others(count);  // the two higher corners, grouped by the lowest
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
-    const PlanePoints c = sorted_corners(faces.corners[SourceId(f)]);
-    others[next[c[0].index()]++] = {c[1], c[2]};
+// Finds the lowest vertex at each point, one operand after the other; its memory grows with the points, its time does not.
+class Welder {
+ public:
+  std::vector<WeldedCorners> weld(const SurfaceMesh& mesh, const std::vector<PointId>& point_of, std::size_t point_count) {
+    constexpr std::uint32_t none = 0xffffffffU;
+    lowest_vertex_.resize(point_count, none);
+    std::vector<std::uint32_t> lowest(point_of.size());
+    for (std::uint32_t v = 0; v < point_of.size(); ++v) {
+      std::uint32_t& first = lowest_vertex_[point_of[v].index()];
+      if (first == none) first = v;
+      lowest[v] = first;
+    }
+    for (const PointId p : point_of) lowest_vertex_[p.index()] = none;
+    std::vector<WeldedCorners> corners;
+    corners.reserve(mesh.triangles.size());
+    for (const Triangle& t : mesh.triangles) corners.push_back({lowest[t[0].index()], lowest[t[1].index()], lowest[t[2].index()]});
+    return corners;
   }
-  for (std::size_t p = 0; p + 1 < begin.size(); ++p) {
-    if (begin[p + 1] - begin[p] < 2) continue;
-    const auto first = others.begin() + begin[p];
-    const auto last = others.begin() + begin[p + 1];
+
+ private:
+  std::vector<std::uint32_t> lowest_vertex_;
+};
+
+// Do two faces have the same three corners? Only faces with the same lowest corner are compared.
+bool has_coincident_faces(std::vector<WeldedCorners> corners, std::size_t vertex_count) {
+  std::vector<std::uint32_t> begin(vertex_count + 1, 0);
+  for (WeldedCorners& c : corners) {
+    std::sort(c.begin(), c.end());
+    ++begin[c[0] + 1];
+  }
+  for (std::size_t v = 0; v < vertex_count; ++v) begin[v + 1] += begin[v];
+  std::vector<std::array<std::uint32_t, 2>> others(corners.size());  // the two higher corners, grouped by the lowest
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+  for (const WeldedCorners& c : corners) others[next[c[0]]++] = {c[1], c[2]};
+  for (std::size_t v = 0; v < vertex_count; ++v) {
+    if (begin[v + 1] - begin[v] < 2) continue;
+    const auto first = others.begin() + begin[v];
+    const auto last = others.begin() + begin[v + 1];
     std::sort(first, last);
     if (std::adjacent_find(first, last) != last) return true;
   }
@@ -78,20 +98,13 @@ FaceShape shape_of(const PointSet& points, const PlanePoints& c) {
 }
 
 // Parts of one operand, numbered by one of their vertices.
-void number_parts(const SurfaceMesh& mesh, OperandId k, OperandFaces& faces) {
-  UnionFind joined(mesh.points.size());
-  std::vector<std::uint32_t> vertex_of(faces.points.size(), 0xffffffffU);  // the first vertex of the operand at each point
-  const std::vector<PointId>& point_of = faces.point_of_vertex[k];
-  const auto vertex = [&](VertexId v) {
-    std::uint32_t& first = vertex_of[point_of[v.index()].index()];
-    if (first == 0xffffffffU) first = v.value;
-    return first;
-  };
-  for (const Triangle& t : mesh.triangles) {
-    joined.join(vertex(t[0]), vertex(t[1]));
-    joined.join(vertex(t[1]), vertex(t[2]));
+void number_parts(const std::vector<WeldedCorners>& corners, std::size_t vertex_count, OperandFaces& faces) {
+  UnionFind joined(vertex_count);
+  for (const WeldedCorners& c : corners) {
+    joined.join(c[0], c[1]);
+    joined.join(c[1], c[2]);
   }
-  for (const Triangle& t : mesh.triangles) faces.part.push_back(joined.find(vertex(t[0])));
+  for (const WeldedCorners& c : corners) faces.part.push_back(joined.find(c[0]));
 }
 
 bool has_meeting_parts(const OperandFaces& faces, OperandId k) {
@@ -111,28 +124,30 @@ bool has_meeting_parts(const OperandFaces& faces, OperandId k) {
   return meet;
 }
 
-SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, bool has_collinear) {
-  if (!is_closed(faces, k) || has_coincident_faces(faces, k)) return SelfContacts::All;
+SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, bool has_coincident) {
+  if (has_coincident || !is_closed(faces, k)) return SelfContacts::All;
   if (has_meeting_parts(faces, k)) return SelfContacts::Parts;
-  return has_collinear ? SelfContacts::Collinear : SelfContacts::None;
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
+    if (faces.shape[SourceId(f)] == FaceShape::Collinear) return SelfContacts::Collinear;
+  }
+  return SelfContacts::None;
 }
 
-void append_operand(const SurfaceMesh& mesh, OperandFaces& faces) {
+void append_operand(const SurfaceMesh& mesh, Welder& welder, OperandFaces& faces) {
   const OperandId k(faces.operand_count());
   std::vector<PointId>& point_of = faces.point_of_vertex[faces.point_of_vertex.push_back({})];
   point_of.reserve(mesh.points.size());
   for (const Vec3d& p : mesh.points) point_of.push_back(faces.points.add_input(p));
-  bool has_collinear = false;
   for (const Triangle& t : mesh.triangles) {
     const PlanePoints c{point_of[t[0].index()], point_of[t[1].index()], point_of[t[2].index()]};
     faces.corners.push_back(c);
     faces.operand.push_back(k);
     faces.shape.push_back(shape_of(faces.points, c));
-    has_collinear |= faces.shape.values().back() == FaceShape::Collinear;
   }
   faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
-  number_parts(mesh, k, faces);
-  faces.self_contacts.push_back(self_contacts_of(faces, k, has_collinear));
+  const std::vector<WeldedCorners> corners = welder.weld(mesh, point_of, faces.points.size());
+  number_parts(corners, mesh.points.size(), faces);
+  faces.self_contacts.push_back(self_contacts_of(faces, k, has_coincident_faces(corners, mesh.points.size())));
   faces.bounds.push_back({});
   for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) faces.bounds[k].extend(faces.box(SourceId(f)));
 }
@@ -163,7 +178,8 @@ OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
   faces.shape.reserve(face_count);
   faces.operand.reserve(face_count);
   faces.first.push_back(0);
-  for (const SurfaceMesh* mesh : operands) append_operand(*mesh, faces);
+  Welder welder;
+  for (const SurfaceMesh* mesh : operands) append_operand(*mesh, welder, faces);
   if (operands.size() == 1) faces.self_contacts[OperandId(0)] = SelfContacts::All;
   return faces;
 }
