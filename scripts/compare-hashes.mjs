@@ -86,13 +86,14 @@ function outcome(operation, operands) {
   try {
     const { mesh, provenance, graph, report } = mortise[operation](operands);
     const { categoryNames: _, coveringSets, ...perTriangle } = provenance;
-    const { volume, area, minAngleDeg, maxAngleDeg, contact } = report;
+    const { volume, area, minAngleDeg, maxAngleDeg, contact, regions } = report;
     const arrays = {
       ...perTriangle,
       coveringSets: Uint32Array.from(coveringSets.flatMap((set) => [...set])),
       graphPoints: graph.points,
       graphEdges: graph.edges,
       graphChains: Uint32Array.from(graph.chains.flatMap((chain) => [...chain])),
+      regionMeasures: Float64Array.from(regions.flatMap((region) => [region.volume, region.area, ...region.operands])),
       measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area),
       'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
       stl: mortise.writeMesh(mesh, { format: 'stl' }),

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/result_regions.h"
 #include "mortise/io/files.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
@@ -136,9 +137,25 @@ void write_measures(const std::string& prefix, const BooleanResult& result) {
                                                contact.length, contact.area});
 }
 
+/// Region ids begin with 1; nothing lies in front of a triangle.
+void write_regions(const std::string& prefix, const BooleanResult& result) {
+  const ResultRegions found = find_result_regions(result);
+  std::vector<std::uint32_t> behind;
+  for (const std::uint32_t region : found.region_of_facet) behind.push_back(region + 1);
+  write_array(prefix + "regionLeft", behind);
+  write_array(prefix + "regionRight", std::vector<std::uint32_t>(behind.size(), 0));
+  std::vector<double> measures;
+  for (const ResultRegion& region : found.regions) {
+    measures.insert(measures.end(), {region.volume, region.area});
+    for (const std::uint32_t operand : region.operands) measures.push_back(operand);
+  }
+  write_array(prefix + "regionMeasures", measures);
+}
+
 void write_result(const std::string& prefix, const BooleanResult& result) {
   write_surface(prefix, result.mesh);
   write_provenance(prefix, result.provenance);
+  write_regions(prefix, result);
   write_graph(prefix, result.graph);
   write_measures(prefix, result);
   write_surface(prefix + "float32.", round_to_float32(result.mesh));
