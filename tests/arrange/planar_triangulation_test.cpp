@@ -108,7 +108,7 @@ bool is_edge(const PlanarTriangulation& triangulation, std::uint32_t a, std::uin
 }
 
 std::vector<Position> random_positions(std::mt19937& random, std::size_t count, int size) {
-  std::vector<Position> positions;
+  std::vector<Position> positions{{1, 0}, {0, 0}, {0, 1}};  // not all on one line
   while (positions.size() < count) {
     const auto coordinate = [&] { return static_cast<double>(random() % static_cast<std::uint32_t>(size)); };
     const Position p{coordinate(), coordinate()};
