@@ -160,7 +160,7 @@ std::vector<oracle::RationalPoint> sample_points(const SurfaceMesh& mesh) {
   std::vector<oracle::RationalPoint> points;
   if (bounds.is_empty()) return points;
   std::mt19937_64 random(7);
-  const std::size_t count = std::clamp<std::size_t>(scaled_count(30000, 100000) / (mesh.triangles.size() + 1), 2, 60);
+  const std::size_t count = std::clamp<std::size_t>(scaled_count(12000, 100000) / (mesh.triangles.size() + 1), 2, 60);
   for (std::size_t k = 0; k < count; ++k) {
     Vec3d p;
     for (std::size_t i = 0; i < 3; ++i)
@@ -296,24 +296,24 @@ std::vector<PairFigures> pairs() {
 
 }  // namespace
 
-TEST_CASE("every bad file has its line in the tables", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("every bad file has its line in the tables") {
+  if (is_data_missing()) return;
   CHECK(names_of(real_files()) == data_files("nasty"));
   CHECK(names_of(made_files()) == data_files("nasty/synthetic"));
 }
 
-TEST_CASE("bad files from real repositories give the right result or an error that names the place", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("bad files from real repositories give the right result or an error that names the place") {
+  if (is_data_missing()) return;
   for (const Expectation& file : real_files()) check_file("nasty", file);
 }
 
-TEST_CASE("bad files made on purpose give the right result or an error that names the place", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("bad files made on purpose give the right result or an error that names the place") {
+  if (is_data_missing()) return;
   for (const Expectation& file : made_files()) check_file("nasty/synthetic", file);
 }
 
-TEST_CASE("difficult pairs have the expected volumes", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("difficult pairs have the expected volumes") {
+  if (is_data_missing()) return;
   for (const PairFigures& pair : pairs()) {
     INFO(pair.a << " and " << pair.b);
     const SurfaceMesh a = read_data("nasty/" + pair.a), b = read_data("nasty/" + pair.b);
@@ -330,22 +330,22 @@ TEST_CASE("difficult pairs have the expected volumes", "[data]") {
   }
 }
 
-TEST_CASE("crossing combs make 1600 parts, 1521 tunnels and no open edge", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("crossing combs make 1600 parts, 1521 tunnels and no open edge") {
+  if (is_data_missing()) return;
   const SurfaceMesh x = read_data("nasty/synthetic/comb_x_40.off"), y = read_data("nasty/synthetic/comb_y_40.off");
   CHECK(shape_of(evaluate(Operation::Intersect, {x, y}).mesh).shells == 1600);
   const Shape all = shape_of(evaluate(Operation::Union, {x, y}).mesh);
   CHECK((all.shells == 1 && all.genus == 1521));
 }
 
-TEST_CASE("a plate thinner than any tolerance cuts a box in two", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("a plate thinner than any tolerance cuts a box in two") {
+  if (is_data_missing()) return;
   const SurfaceMesh cube = read_data("nasty/synthetic/cube_diag_a.off"), plate = read_data("nasty/synthetic/plate_1e-7.off");
   CHECK(shape_of(evaluate(Operation::Subtract, {cube, plate}).mesh).shells == 2);
 }
 
-TEST_CASE("parts of one file that overlap count once, beside a box far away", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("parts of one file that overlap count once, beside a box far away") {
+  if (is_data_missing()) return;
   const SurfaceMesh far = box({1e3, 1e3, 1e3}, {1001, 1001, 1001});
   for (const std::string file : {"three_cubes.stl", "two_spheres.stl", "sphere_pair_overlap.obj"}) {
     INFO(file);
@@ -356,8 +356,8 @@ TEST_CASE("parts of one file that overlap count once, beside a box far away", "[
   }
 }
 
-TEST_CASE("three crossing cubes in one file cover what inclusion and exclusion of the parts say", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("three crossing cubes in one file cover what inclusion and exclusion of the parts say") {
+  if (is_data_missing()) return;
   const SurfaceMesh mesh = read_data("nasty/three_cubes.stl");
   std::vector<SurfaceMesh> cubes(3);
   for (std::size_t f = 0; f < 36; ++f) {

@@ -194,12 +194,9 @@ void check_identities(const Loaded& loaded, const std::vector<BooleanResult>& re
 
 }  // namespace
 
-TEST_CASE("booleans of real meshes agree with the printed figures, closed, oriented and certified", "[data]") {
+TEST_CASE("booleans of real meshes agree with the printed figures, closed, oriented and certified", "[scenario]") {
   std::size_t count = 0;
-  if (!data_folder()) {
-    std::printf("real meshes: 0 scenarios (skipped: the folder of MORTISE_DATA is not there)\n");
-    return;
-  }
+  if (is_data_missing()) return;
   for (const Scenario& scenario : scenarios()) {
     INFO(scenario.name);
     const Loaded loaded = load(scenario);
@@ -215,8 +212,8 @@ TEST_CASE("booleans of real meshes agree with the printed figures, closed, orien
   std::printf("real meshes: %zu scenarios\n", count);
 }
 
-TEST_CASE("the sphere pair has as many triangles as the answer published with it", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("the sphere pair has as many triangles as the answer published with it", "[scenario]") {
+  if (is_data_missing()) return;
   const SurfaceMesh published = read_data("primitives/gch_sphere1_minus_sphere2.obj");
   const BooleanResult result =
       evaluate(Operation::Subtract, {read_data("primitives/gch_sphere1.obj"), read_data("primitives/gch_sphere2.obj")});
@@ -225,8 +222,8 @@ TEST_CASE("the sphere pair has as many triangles as the answer published with it
   CHECK(result.mesh.points.size() == published.points.size());
 }
 
-TEST_CASE("the three boxes of Fig. 27 give the same volume and the same intersection with the cylinders", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("the three boxes of Fig. 27 give the same volume and the same intersection with the cylinders", "[scenario]") {
+  if (is_data_missing()) return;
   std::vector<double> volumes;
   for (const std::string box : {"fig27_box_fine", "fig27_box_coarse", "fig27_box_quads"}) {
     const Loaded loaded = load(box_and_cylinders(box));
@@ -236,8 +233,8 @@ TEST_CASE("the three boxes of Fig. 27 give the same volume and the same intersec
   CHECK(volumes[2] == Approx(volumes[0]).epsilon(1e-12));
 }
 
-TEST_CASE("the eight tori unite to the same solid in any order", "[data]") {
-  if (!data_folder()) return;
+TEST_CASE("the eight tori unite to the same solid in any order", "[scenario]") {
+  if (is_data_missing()) return;
   std::vector<SurfaceMesh> tori = load(eight_tori()).parts;
   const BooleanResult forward = evaluate(Operation::Union, tori);
   std::swap(tori[0], tori[5]);

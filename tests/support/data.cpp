@@ -4,6 +4,7 @@
 #include "support/data.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <filesystem>
 #include <sstream>
@@ -56,6 +57,12 @@ std::optional<std::string> data_folder() {
     if (is_data_folder(data)) return data.string();
     if (folder == folder.parent_path()) return std::nullopt;
   }
+}
+
+bool is_data_missing() {
+  if (data_folder()) return false;
+  std::printf("skipped: the meshes of MORTISE_DATA (default: ../shared/data) are not there\n");
+  return true;
 }
 
 std::vector<std::string> data_files(const std::string& folder) {

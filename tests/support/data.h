@@ -15,6 +15,9 @@ namespace mortise::test {
 /// it beside it); nothing where there is none.
 [[nodiscard]] std::optional<std::string> data_folder();
 
+/// Is there no such folder? Then it says so on a line beginning with `skipped: `, which counts the test as skipped.
+[[nodiscard]] bool is_data_missing();
+
 /// Names of the files directly in a folder of the data, sorted.
 [[nodiscard]] std::vector<std::string> data_files(const std::string& folder);
 
