@@ -105,6 +105,7 @@ TEST_CASE("6^3 overlapping boxes unite to one box of side 6.5") {
   const BooleanResult rest = evaluate(Operation::Subtract, boxes);
   CHECK((shape_of(rest.mesh).volume == 1 && shape_of(rest.mesh).area == 6));
   check_faultless(boxes, rest);
+  CHECK(oracle::volume(result.mesh, exact_positions(pointers_to(boxes), result)) == oracle::Rational(2197, 8));
 }
 
 TEST_CASE("3^3 boxes of side 3 have one box of side 1 in common") {

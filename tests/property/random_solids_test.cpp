@@ -44,7 +44,7 @@ class RandomSolids {
     return solids;
   }
 
-  std::uint64_t below(std::uint64_t bound) { return (engine_() >> 32) % bound; }
+  std::size_t below(std::size_t bound) { return static_cast<std::size_t>(engine_() >> 32) % bound; }
 
   template <class T>
   void shuffle(std::vector<T>& items) {
@@ -52,7 +52,7 @@ class RandomSolids {
   }
 
  private:
-  static constexpr std::uint64_t side_ = 4;
+  static constexpr std::size_t side_ = 4;
 
   Vec3d grid_point() {
     const double x = coordinate(), y = coordinate(), z = coordinate();
@@ -83,7 +83,7 @@ class RandomSolids {
   }
 
   SurfaceMesh turned(SurfaceMesh mesh) {
-    for (std::uint64_t turns = below(3); turns > 0; --turns) mesh = with_axes_turned(std::move(mesh));
+    for (std::size_t turns = below(3); turns > 0; --turns) mesh = with_axes_turned(std::move(mesh));
     return mesh;
   }
 
