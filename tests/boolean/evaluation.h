@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// The stages up to the categories, run over a scene written in a test.
+// The stages up to the merged mesh, run over a scene written in a test.
 #pragma once
 
 #include <vector>
 
 #include "mortise/boolean/categorize.h"
+#include "mortise/boolean/merge.h"
 #include "support/arrangement.h"
 #include "support/winding_oracle.h"
 
@@ -29,6 +30,17 @@ struct Evaluation : Arrangement {
 
   [[nodiscard]] RegionId front(FacetId f) const { return categories.patches.front[categories.patches.patch_of_facet[f]]; }
   [[nodiscard]] RegionId back(FacetId f) const { return categories.patches.back[categories.patches.patch_of_facet[f]]; }
+};
+
+/// The result of an operation, before it is certified and repaired.
+struct MergedScene : Evaluation {
+  MergedScene(Operation operation, std::vector<SurfaceMesh> meshes, const std::vector<std::size_t>& self = {})
+      : Evaluation(std::move(meshes), self),
+        selection(select(operation, faces, facets, categories)),
+        merged(merge(pointers_to(operands), faces, facets, selection)) {}
+
+  const Selection selection;
+  MergedMesh merged;
 };
 
 /// Facets with other windings on their sides than the oracle's.
