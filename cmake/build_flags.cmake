@@ -29,6 +29,10 @@ if(MORTISE_SANITIZE)
   set(sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
   target_compile_options(mortise_flags INTERFACE ${sanitizers})
   target_link_options(mortise_flags INTERFACE ${sanitizers})
+  if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+    # GCC cannot follow values through its own instrumentation.
+    target_compile_options(mortise_flags INTERFACE -Wno-maybe-uninitialized)
+  endif()
 endif()
 
 find_program(MORTISE_CCACHE ccache)
