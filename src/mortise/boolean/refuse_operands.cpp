@@ -36,15 +36,17 @@ std::vector<EdgeOfOperand> edges_of(const SurfaceMesh& mesh, const OperandFaces&
   return edges;
 }
 
-// Vertex pairs of the edges at which as many faces run one way as the other does not hold; `odd`: only open edges.
-std::vector<std::uint32_t> unbalanced_pairs(const std::vector<EdgeOfOperand>& edges, bool odd) {
+enum class Which { Open, Even, Any };
+
+// Vertex pairs of the given edges along which not as many faces run one way as the other.
+std::vector<std::uint32_t> unbalanced_pairs(const std::vector<EdgeOfOperand>& edges, Which which) {
   std::vector<std::uint32_t> pairs;
   for (std::size_t i = 0; i < edges.size();) {
     std::size_t end = i;
     int sum = 0;
     for (; end < edges.size() && edges[end].key == edges[i].key; ++end) sum += edges[end].is_forward ? 1 : -1;
-    const bool is_odd = (end - i) % 2 != 0;
-    if (sum != 0 && is_odd == odd) {
+    const bool is_open = (end - i) % 2 != 0;
+    if (sum != 0 && (which == Which::Any || is_open == (which == Which::Open))) {
       pairs.push_back(edges[i].from);
       pairs.push_back(edges[i].to);
     }
@@ -55,14 +57,14 @@ std::vector<std::uint32_t> unbalanced_pairs(const std::vector<EdgeOfOperand>& ed
 
 [[noreturn]] void refuse_unbalanced(const SurfaceMesh& mesh, const OperandFaces& faces, OperandId k, bool is_open) {
   const std::vector<EdgeOfOperand> edges = edges_of(mesh, faces, k);
-  const std::vector<std::uint32_t> pairs = unbalanced_pairs(edges, is_open);
-  const std::string count = std::to_string(pairs.size() / 2);
+  std::vector<std::uint32_t> pairs = unbalanced_pairs(edges, is_open ? Which::Open : Which::Even);
+  // Edges that only show after splitting lie on given edges that do not balance either.
+  if (pairs.empty()) pairs = unbalanced_pairs(edges, Which::Any);
+  const std::string operand = "operand " + std::to_string(k.value);
+  const std::string count = std::to_string(pairs.size() / 2) + " edges";
   Error error =
-      is_open
-          ? Error(ErrorCode::NotClosed, stage_name,
-                  "operand " + std::to_string(k.value) + " is a sheet, not a solid: " + count + " open edges")
-          : Error(ErrorCode::NotOriented, stage_name,
-                  "operand " + std::to_string(k.value) + " is not consistently oriented: faces run the same way along " + count + " edges");
+      is_open ? Error(ErrorCode::NotClosed, stage_name, operand + " is a sheet, not a solid: " + count + " are open")
+              : Error(ErrorCode::NotOriented, stage_name, operand + " is not consistently oriented: faces run the same way along " + count);
   throw std::move(error).with_ids(IdKind::VertexPairs, pairs).in_operand(k.index());
 }
 
