@@ -61,10 +61,10 @@ std::vector<std::uint32_t> unbalanced_pairs(const std::vector<EdgeOfOperand>& ed
   // Edges that only show after splitting lie on given edges that do not balance either.
   if (pairs.empty()) pairs = unbalanced_pairs(edges, Which::Any);
   const std::string operand = "operand " + std::to_string(k.value);
-  const std::string count = std::to_string(pairs.size() / 2) + " edges";
-  Error error =
-      is_open ? Error(ErrorCode::NotClosed, stage_name, operand + " is a sheet, not a solid: " + count + " are open")
-              : Error(ErrorCode::NotOriented, stage_name, operand + " is not consistently oriented: faces run the same way along " + count);
+  const std::string count = std::to_string(pairs.size() / 2);
+  const std::string sheet = operand + " is a sheet, not a solid: " + count + " open edges";
+  const std::string twisted = operand + " is not consistently oriented: faces run the same way along " + count + " edges";
+  Error error = is_open ? Error(ErrorCode::NotClosed, stage_name, sheet) : Error(ErrorCode::NotOriented, stage_name, twisted);
   throw std::move(error).with_ids(IdKind::VertexPairs, pairs).in_operand(k.index());
 }
 
