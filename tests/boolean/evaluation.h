@@ -55,4 +55,24 @@ struct MergedScene : Evaluation {
   return wrong;
 }
 
+/// A prism over a five-pointed star drawn in one line: its middle has winding 2. One part, closed, no face twice.
+[[nodiscard]] inline SurfaceMesh pentagram_prism(double low, double high) {
+  const std::vector<std::array<double, 2>> tips{{0, 10}, {-6, -8}, {9, 3}, {-9, 3}, {6, -8}};
+  const std::size_t n = tips.size();
+  std::vector<Vec3d> points;
+  for (const double z : {low, high}) {
+    for (const auto& p : tips) points.push_back({p[0], p[1], z});
+    points.push_back({0, 0, z});
+  }
+  std::vector<std::array<std::size_t, 3>> triangles;
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t j = (i + 1) % n, up = n + 1;
+    triangles.push_back({n, j, i});
+    triangles.push_back({up + n, up + i, up + j});
+    triangles.push_back({i, j, up + j});
+    triangles.push_back({i, up + j, up + i});
+  }
+  return make_mesh(points, triangles);
+}
+
 }  // namespace mortise::test

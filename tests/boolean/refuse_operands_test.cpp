@@ -150,3 +150,32 @@ TEST_CASE("an edge split on one side only is closed") {
   split.triangles.push_back({VertexId(8), VertexId(3), VertexId(1)});
   CHECK_FALSE(refusal({split}));
 }
+
+TEST_CASE("edges that are badly oriented after splitting only are named by the given edges they lie on") {
+  // The top runs the wrong way, and each of its four edges is split on the other side only: no edge has two faces as given.
+  SurfaceMesh mesh;
+  mesh.points = {{0, 0, 0}, {2, 0, 0}, {2, 2, 0}, {0, 2, 0}, {0, 0, 2}, {2, 0, 2},
+                 {2, 2, 2}, {0, 2, 2}, {1, 0, 2}, {2, 1, 2}, {1, 2, 2}, {0, 1, 2}};
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) { mesh.triangles.push_back({VertexId(a), VertexId(b), VertexId(c)}); };
+  add(0, 2, 1);
+  add(0, 3, 2);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::size_t j = (i + 1) % 4, middle = 8 + i;
+    add(i, j, middle);
+    add(j, 4 + j, middle);
+    add(i, middle, 4 + i);
+  }
+  SurfaceMesh fine = mesh;
+  fine.triangles.push_back({VertexId(4), VertexId(5), VertexId(6)});
+  fine.triangles.push_back({VertexId(4), VertexId(6), VertexId(7)});
+  CHECK_FALSE(refusal({fine}));
+  add(4, 6, 5);
+  add(4, 7, 6);
+  const auto error = refusal({mesh});
+  REQUIRE(error);
+  CHECK(error->code == ErrorCode::NotOriented);
+  // The long edge of the top and the two short ones of the side, four times.
+  CHECK(pairs_of(*error).size() == 12);
+  CHECK(error->message.find("12 edges") != std::string::npos);
+  for (const std::uint32_t v : error->ids) CHECK(v >= 4);
+}

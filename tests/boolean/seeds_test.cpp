@@ -8,7 +8,7 @@
 #include "boolean/evaluation.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
-#include "support/random_solids.h"
+#include "support/grid_solids.h"
 #include "support/test_scale.h"
 
 using namespace mortise;
@@ -152,7 +152,7 @@ TEST_CASE("many parts that touch in one point are all seeded") {
 TEST_CASE("random tetrahedra that share corners have the oracle's windings") {
   constexpr std::uint32_t seed = 5;
   INFO("seed " << seed);
-  RandomSolids random(seed);
+  GridSolids random(seed);
   std::size_t complexes = 0;
   for (std::size_t i = 0, n = scaled_count(60, 4000); i < n; ++i) {
     INFO("case " << i);

@@ -9,7 +9,7 @@
 #include "boolean/evaluation.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
-#include "support/random_solids.h"
+#include "support/grid_solids.h"
 #include "support/test_scale.h"
 
 using namespace mortise;
@@ -137,7 +137,7 @@ TEST_CASE("facets kept of the small scenes are those where the oracle's windings
 TEST_CASE("facets kept of random solids are those where the oracle's windings differ") {
   constexpr std::uint32_t seed = 16;
   INFO("seed " << seed);
-  RandomSolids random(seed);
+  GridSolids random(seed);
   for (std::size_t i = 0, n = scaled_count(40, 3000); i < n; ++i) {
     INFO("case " << i);
     const Evaluation scene({random.solid(3), random.solid(3), random.solid(3)});

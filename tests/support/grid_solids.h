@@ -10,9 +10,9 @@
 
 namespace mortise::test {
 
-class RandomSolids {
+class GridSolids {
  public:
-  explicit RandomSolids(std::uint32_t seed) : random_(seed) {}
+  explicit GridSolids(std::uint32_t seed) : random_(seed) {}
 
   /// A tetrahedron with corners on the grid 0 .. size, with volume.
   [[nodiscard]] SurfaceMesh tetrahedron(int size) {

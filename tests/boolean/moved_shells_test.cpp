@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The exact sense of shells against the volume of their doubles.
+#include "mortise/boolean/moved_shells.h"
+
+#include <algorithm>
+
+#include "boolean/evaluation.h"
+#include "support/boolean_scenes.h"
+#include "support/catch.h"
+#include "support/grid_solids.h"
+#include "support/test_scale.h"
+
+using namespace mortise;
+using namespace mortise::test;
+
+namespace {
+
+const SurfaceMesh unit = box({0, 0, 0}, {1, 1, 1});
+
+/// As if all vertices but `still` had moved.
+std::vector<FaceId> turned_shells(const MergedScene& scene, const std::vector<std::size_t>& still = {}) {
+  std::vector<std::uint8_t> is_moved(scene.merged.mesh.points.size(), 1);
+  for (const std::size_t v : still) is_moved[v] = 0;
+  return find_turned_shells(scene.faces, scene.facets, scene.merged, is_moved);
+}
+
+void mirror(SurfaceMesh& mesh, std::size_t from = 0) {
+  for (std::size_t v = from; v < mesh.points.size(); ++v) mesh.points[v].x = -mesh.points[v].x;
+}
+
+}  // namespace
+
+TEST_CASE("a shell keeps its sense as it is, and loses it in the mirror") {
+  MergedScene scene(Operation::Union, {unit});
+  CHECK(turned_shells(scene).empty());
+  mirror(scene.merged.mesh);
+  CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(0)});
+}
+
+TEST_CASE("a shell with a vertex that did not move is left out") {
+  MergedScene scene(Operation::Union, {unit});
+  mirror(scene.merged.mesh);
+  CHECK(turned_shells(scene, {3}).empty());
+}
+
+TEST_CASE("each shell is judged by itself") {
+  MergedScene scene(Operation::Union, {unit, moved(unit, {5, 0, 0})});
+  mirror(scene.merged.mesh, 8);
+  CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(12)});
+  CHECK(turned_shells(scene, {0}) == std::vector<FaceId>{FaceId(12)});
+  CHECK(turned_shells(scene, {8}).empty());
+}
+
+TEST_CASE("the wall of a cavity faces inwards, and is turned when it does no more") {
+  MergedScene scene(Operation::Subtract, {box({-2, -2, -2}, {3, 3, 3}), unit});
+  CHECK(turned_shells(scene).empty());
+  mirror(scene.merged.mesh, 8);
+  CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(12)});
+}
+
+TEST_CASE("a shell whose doubles enclose nothing is turned") {
+  MergedScene scene(Operation::Union, {unit});
+  for (Vec3d& p : scene.merged.mesh.points) p.z = 0;
+  CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(0)});
+}
+
+TEST_CASE("shells of triangles connected through a vertex are one") {
+  MergedScene scene(Operation::Union, {joined({unit, moved(unit, {1, 1, 1})})});
+  CHECK(turned_shells(scene).empty());
+  mirror(scene.merged.mesh);
+  CHECK(turned_shells(scene).size() == 1);
+}
+
+TEST_CASE("shells of results of random solids have their sense, whichever way they lie") {
+  constexpr std::uint32_t seed = 3;
+  INFO("seed " << seed);
+  GridSolids random(seed);
+  std::size_t shells = 0;
+  for (std::size_t i = 0, n = scaled_count(150, 10000); i < n; ++i) {
+    INFO("case " << i);
+    MergedScene scene(static_cast<Operation>(random.below(3)), {random.solid(3), random.solid(3)});
+    CHECK(turned_shells(scene).empty());
+    mirror(scene.merged.mesh);
+    shells += turned_shells(scene).size();
+    CHECK((turned_shells(scene).empty() == scene.merged.mesh.triangles.empty()));
+  }
+  CHECK(shells > scaled_count(150, 10000) / 2);
+}
