@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Shells joined through inside wedges, cavities located by rays.
+// Shells with pinches split, cavities located by rays.
 #include "mortise/mesh/find_regions.h"
 
 #include <algorithm>
-#include <span>
 
-#include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/ray_crossing.h"
@@ -15,43 +13,7 @@
 namespace mortise {
 namespace {
 
-struct FaceAtEdge {
-  FaceId face;
-  Vec3d apex;
-  bool is_forward;
-};
-
 const Vec3d& position(const SurfaceMesh& mesh, FaceId f, std::size_t i) { return mesh.points[mesh.triangles[f.index()][i].index()]; }
-
-FaceAtEdge face_at_edge(const SurfaceMesh& mesh, HalfEdge h, VertexId u) {
-  const VertexId apex = origin_of(mesh, next_in_face(next_in_face(h)));
-  return {face_of(h), mesh.points[apex.index()], origin_of(mesh, h) == u};
-}
-
-// Counterclockwise round u -> v, looking from v, beginning with the first.
-void sort_round_edge(const Vec3d& u, const Vec3d& v, std::vector<FaceAtEdge>& around) {
-  const Vec3d reference = around.front().apex;
-  std::stable_sort(around.begin() + 1, around.end(), [&](const FaceAtEdge& a, const FaceAtEdge& b) {
-    const Sign to_a = orient3d(u, v, reference, a.apex);
-    const Sign to_b = orient3d(u, v, reference, b.apex);
-    if (to_a != to_b) return to_a > to_b;
-    return to_a != Sign::Zero && orient3d(u, v, a.apex, b.apex) == Sign::Positive;
-  });
-}
-
-// Joins the two faces of every inside wedge at an edge.
-void join_at_edge(const SurfaceMesh& mesh, const MeshTopology& topology, MeshEdgeId e, UnionFind& shells) {
-  const auto uses = topology.uses_of(e);
-  if (uses.size() == 2) return shells.join(face_of(uses[0]).value, face_of(uses[1]).value);
-  const auto [u, v] = topology.edges[e.index()];
-  std::vector<FaceAtEdge> around;
-  for (const HalfEdge h : uses) around.push_back(face_at_edge(mesh, h, u));
-  sort_round_edge(mesh.points[u.index()], mesh.points[v.index()], around);
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    const FaceAtEdge& next = around[(i + 1) % around.size()];
-    if (!around[i].is_forward && next.is_forward) shells.join(around[i].face.value, next.face.value);
-  }
-}
 
 struct Shell {
   std::vector<FaceId> faces;
@@ -73,10 +35,7 @@ void measure(const SurfaceMesh& mesh, Shell& shell) {
 }
 
 std::vector<Shell> find_shells(const SurfaceMesh& mesh, std::vector<std::uint32_t>& shell_of_face) {
-  const MeshTopology topology = build_topology(mesh);
-  UnionFind joined(mesh.triangles.size());
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) join_at_edge(mesh, topology, MeshEdgeId(e), joined);
-  const FaceComponents components = number_components(joined);
+  const FaceComponents components = split_pinches(mesh, build_topology(mesh)).shells;  // joined through inside wedges
   shell_of_face = components.component_of;
   std::vector<Shell> shells(components.count);
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) shells[shell_of_face[f]].faces.push_back(FaceId(f));
