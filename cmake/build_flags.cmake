@@ -16,8 +16,10 @@ set(CMAKE_CXX_FLAGS_RELEASE "-O3 -DNDEBUG")
 add_library(mortise_flags INTERFACE)
 # One result everywhere: no fused multiply-add, and never -ffast-math.
 target_compile_options(mortise_flags INTERFACE -ffp-contract=off -Wall -Wextra -Wshadow -Wconversion)
-# Messages name files from the repository's root, wherever it is: the same wasm from every folder.
-target_compile_options(mortise_flags INTERFACE "-fmacro-prefix-map=${CMAKE_CURRENT_SOURCE_DIR}/=")
+if(EMSCRIPTEN)
+  # The same wasm from every folder. Not natively: ccache would no longer find what another clone compiled.
+  target_compile_options(mortise_flags INTERFACE "-fmacro-prefix-map=${CMAKE_CURRENT_SOURCE_DIR}/=")
+endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
   # GCC 12 sees overlaps in std::string's operator+ that cannot be (GCC bug 105651).
   target_compile_options(mortise_flags INTERFACE -Wno-restrict)
