@@ -233,6 +233,37 @@ TEST_CASE("the three boxes of Fig. 27 give the same volume and the same intersec
   CHECK(volumes[2] == Approx(volumes[0]).epsilon(1e-12));
 }
 
+TEST_CASE("real meshes: A with B equals B with A", "[scenario]") {
+  if (is_data_missing()) return;
+  for (const Scenario& scenario : scenarios()) {
+    if (scenario.parts.size() != 2) continue;
+    const Loaded loaded = load(scenario);
+    if (is_reduced_run() && loaded.triangles > 20000) continue;
+    for (const Operation operation : {Operation::Union, Operation::Intersect}) {
+      INFO(scenario.name << ", " << operation_name(operation));
+      const BooleanResult forward = evaluate(operation, loaded.parts);
+      const BooleanResult backward = evaluate(operation, {loaded.parts[1], loaded.parts[0]});
+      CHECK(forward.mesh.triangles.size() == backward.mesh.triangles.size());
+      CHECK(sorted_points(forward.mesh) == sorted_points(backward.mesh));
+      CHECK(forward.graph.edges.size() == backward.graph.edges.size());
+      CHECK(forward.graph.closed_loops == backward.graph.closed_loops);
+    }
+  }
+}
+
+TEST_CASE("real meshes scaled by 2^300 and 2^-300 give the scaled result, bit for bit", "[scenario]") {
+  if (is_data_missing()) return;
+  const std::vector<SurfaceMesh> parts = load(sphere_pair()).parts;
+  const SurfaceMesh plain = evaluate(Operation::Subtract, parts).mesh;
+  for (const int exponent : {300, -300}) {
+    const double factor = std::ldexp(1.0, exponent);
+    const BooleanResult result = evaluate(Operation::Subtract, {scaled(parts[0], factor), scaled(parts[1], factor)});
+    CHECK((result.mesh.points == scaled(plain, factor).points));
+    CHECK(result.mesh.triangles.size() == plain.triangles.size());
+    CHECK(result.report.certificate.status == CertificateStatus::Certified);
+  }
+}
+
 TEST_CASE("the eight tori unite to the same solid in any order", "[scenario]") {
   if (is_data_missing()) return;
   std::vector<SurfaceMesh> tori = load(eight_tori()).parts;
