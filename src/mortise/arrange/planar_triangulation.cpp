@@ -42,9 +42,17 @@ PlanarTriangulation::PlanarTriangulation(const PointSet& points, Axis axis, std:
     : points_(points), axis_(axis), vertices_(vertices), lines_(lines) {
   const auto [u, v] = kept_coordinates(axis);
   const Vec3d& origin = points.nearest(vertices[0]);
+  double size = 0;
   for (const PointId p : vertices) {
     const Vec3d offset = points.nearest(p) - origin;
     shape_.push_back({offset[u], offset[v]});
+    size = std::max({size, std::fabs(offset[u]), std::fabs(offset[v])});
+  }
+  int exponent = 0;
+  std::frexp(size, &exponent);  // the same judgement at every scale
+  for (auto& [x, y] : shape_) {
+    x = std::ldexp(x, -exponent);
+    y = std::ldexp(y, -exponent);
   }
   cell_at_.assign(vertices.size(), none);
   sweep();
