@@ -127,7 +127,8 @@ TEST_CASE("random triangles on a small grid become facets that tile them, as ope
     while (triangles.size() < 6) {
       const auto coordinate = [&] { return static_cast<double>(random() % 4); };
       const auto corner = [&] { return Vec3d{coordinate(), coordinate(), coordinate()}; };
-      const SurfaceMesh t = triangle(corner(), corner(), corner());
+      const std::array<Vec3d, 3> c{corner(), corner(), corner()};  // drawn in this order by every compiler
+      const SurfaceMesh t = triangle(c[0], c[1], c[2]);
       if (gather({t}).shape[SourceId(std::size_t{0})] == FaceShape::Proper) triangles.push_back(t);
     }
     const Arrangement apart(triangles), together({joined(triangles)});
@@ -148,8 +149,15 @@ TEST_CASE("random triangles of one plane are cut into one overlay, each piece on
     INFO("case " << i);
     std::vector<SurfaceMesh> triangles;
     while (triangles.size() < 5) {
-      const auto corner = [&] { return Vec3d{static_cast<double>(random() % 6), static_cast<double>(random() % 6), 1}; };
-      const SurfaceMesh t = triangle(corner(), corner(), corner());
+      // Whole steps along two directions: in z = 1, and in a plane with area along all three axes.
+      const Vec3d along = i % 2 == 0 ? Vec3d{1, 0, 0} : Vec3d{1, 2, 3}, across = i % 2 == 0 ? Vec3d{0, 1, 0} : Vec3d{2, -1, 1};
+      const auto step = [&] { return static_cast<double>(random() % 6); };
+      const auto corner = [&] {
+        const double a = step(), b = step();
+        return Vec3d{0, 0, 1} + a * along + b * across;
+      };
+      const std::array<Vec3d, 3> c{corner(), corner(), corner()};  // drawn in this order by every compiler
+      const SurfaceMesh t = triangle(c[0], c[1], c[2]);
       if (gather({t}).shape[SourceId(std::size_t{0})] == FaceShape::Proper) triangles.push_back(t);
     }
     const Arrangement scene(triangles);

@@ -60,6 +60,62 @@ TEST_CASE("windings of operands made of random parts that overlap are the oracle
   }
 }
 
+namespace {
+
+/// One edge of one face is split in places, and the gap to its neighbour is filled with faces without area.
+SurfaceMesh with_faces_without_area(SurfaceMesh mesh, GridSolids& random) {
+  const auto f = static_cast<std::size_t>(random.below(static_cast<int>(mesh.triangles.size())));
+  const auto i = static_cast<std::size_t>(random.below(3));
+  const Triangle c = mesh.triangles[f];
+  const Vec3d from = mesh.points[c[i].index()], to = mesh.points[c[(i + 1) % 3].index()];
+  std::vector<VertexId> chain{c[i]};
+  for (int k = 0, n = 1 + random.below(2); k < n; ++k) {
+    chain.push_back(VertexId(mesh.points.size()));
+    mesh.points.push_back(from + 0.25 * (k + 1) * (to - from));
+  }
+  chain.push_back(c[(i + 1) % 3]);
+  mesh.triangles.erase(mesh.triangles.begin() + static_cast<std::ptrdiff_t>(f));
+  for (std::size_t k = 0; k + 1 < chain.size(); ++k) mesh.triangles.push_back({chain[k], chain[k + 1], c[(i + 2) % 3]});
+  for (std::size_t k = 1; k + 1 < chain.size(); ++k) mesh.triangles.push_back({chain[0], chain[k + 1], chain[k]});
+  return mesh;
+}
+
+/// A map that is exact for small whole numbers and leaves no face parallel to an axis, times a power of two.
+SurfaceMesh sheared(SurfaceMesh mesh, double scale) {
+  for (Vec3d& p : mesh.points) p = scale * Vec3d{p.x + 2 * p.y, p.y - p.z, p.x + p.y + 3 * p.z};
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("windings of random solids in tilted planes, of any size, are the oracle's") {
+  constexpr std::uint32_t seed = 62;
+  INFO("seed " << seed);
+  GridSolids random(seed);
+  for (std::size_t i = 0, n = scaled_count(40, 3000); i < n; ++i) {
+    INFO("case " << i);
+    const double scale = i % 3 == 0 ? 1 : i % 3 == 1 ? 0x1p250 : 0x1p-250;
+    const Evaluation scene({sheared(random.solid(3), scale), sheared(random.solid(3), scale)});
+    CHECK(scene.categories.doubtful.empty());
+    CHECK(count_wrong_windings(scene) == 0);
+  }
+}
+
+TEST_CASE("faces without area that close an operand leave it closed, and its windings right") {
+  constexpr std::uint32_t seed = 63;
+  INFO("seed " << seed);
+  GridSolids random(seed);
+  for (std::size_t i = 0, n = scaled_count(40, 3000); i < n; ++i) {
+    INFO("case " << i);
+    const SurfaceMesh first = with_faces_without_area(scaled(random.solid(3), 4), random), second = scaled(random.solid(3), 4);
+    const Evaluation scene({first, i % 2 == 0 ? second : with_faces_without_area(second, random)});
+    CHECK(scene.faces.self_contacts[first_operand] == SelfContacts::Collinear);
+    CHECK(scene.categories.patches.unbalanced.empty());
+    CHECK(scene.categories.doubtful.empty());
+    CHECK(count_wrong_windings(scene) == 0);
+  }
+}
+
 TEST_CASE("the walk visits every region once") {
   for (const Scene& scene : small_scenes()) {
     INFO(scene.name);

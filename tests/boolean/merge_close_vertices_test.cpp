@@ -178,7 +178,8 @@ TEST_CASE("results of random solids stay balanced whatever is merged, and no inp
   std::size_t merges = 0;
   for (std::size_t i = 0, n = scaled_count(150, 10000); i < n; ++i) {
     INFO("case " << i);
-    MergedScene scene(static_cast<Operation>(random.below(3)), {random.solid(4), random.solid(4)});
+    const auto operation = static_cast<Operation>(random.below(3));
+    MergedScene scene(operation, {random.solid(4), random.solid(4)});
     MergedMesh& merged = scene.merged;
     std::vector<FailedPair> failed;
     for (std::size_t t = 0; t < merged.mesh.triangles.size(); ++t) {

@@ -79,7 +79,8 @@ TEST_CASE("shells of results of random solids have their sense, whichever way th
   std::size_t shells = 0;
   for (std::size_t i = 0, n = scaled_count(150, 10000); i < n; ++i) {
     INFO("case " << i);
-    MergedScene scene(static_cast<Operation>(random.below(3)), {random.solid(3), random.solid(3)});
+    const auto operation = static_cast<Operation>(random.below(3));
+    MergedScene scene(operation, {random.solid(3), random.solid(3)});
     CHECK(turned_shells(scene).empty());
     mirror(scene.merged.mesh);
     shells += turned_shells(scene).size();

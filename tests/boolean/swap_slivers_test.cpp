@@ -197,7 +197,8 @@ TEST_CASE("results of random solids stay balanced whatever is swapped, and no ve
   std::size_t swaps = 0;
   for (std::size_t i = 0, n = scaled_count(150, 10000); i < n; ++i) {
     INFO("case " << i);
-    MergedScene scene(static_cast<Operation>(random.below(3)), {random.solid(4), random.solid(4)});
+    const auto operation = static_cast<Operation>(random.below(3));
+    MergedScene scene(operation, {random.solid(4), random.solid(4)});
     const SurfaceMesh before = scene.merged.mesh;
     std::vector<FailedPair> failed;
     for (std::size_t t = 0; t < before.triangles.size(); ++t) {

@@ -4,6 +4,8 @@
 #include "support/winding_oracle.h"
 
 #include <optional>
+#include <stdexcept>
+#include <string>
 
 #include "support/exact_points.h"
 
@@ -61,10 +63,11 @@ class Rays {
       middle[i] = (a[i] + b[i] + d[i]) / 3;
       normal[i] = (b[j] - a[j]) * (d[k] - a[k]) - (b[k] - a[k]) * (d[j] - a[j]);
     }
-    for (int attempt = 1;; ++attempt) {
+    for (int attempt = 1; attempt < 1000; ++attempt) {
       const auto windings = shoot(middle, whole(normal, common_denominator(normal, 1)), attempt);
       if (windings) return *windings;
     }
+    throw std::logic_error("the middle of facet " + std::to_string(f.index()) + " lies on an edge");
   }
 
  private:

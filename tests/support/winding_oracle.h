@@ -16,7 +16,8 @@ struct WindingsBeside {
   bool operator==(const WindingsBeside&) const = default;
 };
 
-/// By facet. Brute force over all faces; it shares no code with the library.
+/// By facet. Brute force over all faces; it shares no code with the library. Throws std::logic_error where the middle of a facet
+/// lies on an edge: then the facets are wrong.
 [[nodiscard]] std::vector<WindingsBeside> windings_beside_facets(const Arrangement& scene);
 
 }  // namespace mortise::test
