@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What the page knows. Parts of the page change it and tell; others listen.
+// @ts-check
+
+/** @typedef {import('./protocol.js').Operand} Operand */
+/** @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown' | 'busy' | 'result' | 'trouble' | 'frame' | 'frameTrouble'} Topic */
+
+export function createModel() {
+  /** @type {Map<Topic, (() => void)[]>} */
+  const listeners = new Map();
+  return {
+    /** @type {Operand[]} */
+    operands: [],
+    /** Position of the chosen operand. */
+    chosen: 0,
+    /** True while the handle is being dragged. */
+    dragging: false,
+    /** @type {import('./protocol.js').Choice} */
+    choice: 'union',
+    /** @type {import('./protocol.js').GizmoMode} */
+    mode: 'translate',
+    /** @type {import('./protocol.js').Shown} */
+    shown: { wireframe: false, graph: true, ghosts: true },
+    /** Calls under way. */
+    busy: 0,
+    /** 0 to 1, of the boolean under way. */
+    progress: 0,
+    /** @type {import('./protocol.js').Result | undefined} */
+    result: undefined,
+    /** The operands changed since, and there is no newer result. */
+    isOld: false,
+    /** @type {import('./protocol.js').Trouble | undefined} */
+    trouble: undefined,
+
+    /** @param {Topic | Topic[]} topics @param {() => void} listener */
+    on(topics, listener) {
+      for (const topic of [topics].flat()) listeners.set(topic, [...(listeners.get(topic) ?? []), listener]);
+    },
+    /** @param {Topic} topic */
+    tell(topic) {
+      for (const listener of listeners.get(topic) ?? []) listener();
+    },
+    /** @returns {Operand | undefined} */
+    get chosenOperand() {
+      return this.operands[this.chosen];
+    },
+    /** @param {number} key */
+    positionOf(key) {
+      return this.operands.findIndex((operand) => operand.key === key);
+    },
+    /** @param {number} position */
+    choose(position) {
+      if (position === this.chosen || this.operands[position] === undefined) return;
+      this.chosen = position;
+      this.tell('chosen');
+    },
+    /** @param {number} step 1 or -1 */
+    countBusy(step) {
+      this.busy += step;
+      this.tell('busy');
+    },
+  };
+}
+
+/** @typedef {ReturnType<typeof createModel>} Model */
+
+/** A, B, C ... @param {number} position */
+export function letterOf(position) {
+  return position < 26 ? String.fromCharCode(65 + position) : `#${position + 1}`;
+}

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What came out, in numbers. Each number also stands in full in the value of its <data> element.
+// @ts-check
+
+import { byId, make } from '../dom.js';
+import { count, duration, measure, plural } from '../numbers.js';
+
+/** @typedef {import('mortise').Report} Report */
+/** @typedef {[string, Node | string]} Line */
+
+/** @param {number | null} value @param {string} text */
+function number(value, text) {
+  const data = make('data', { value: String(value) }, text);
+  if (value !== null && String(value) !== text) data.title = String(value);
+  return data;
+}
+
+/** @param {boolean} good @param {string} yes @param {string} no */
+const verdict = (good, yes, no) => make('span', { class: good ? 'good' : 'bad' }, good ? `✓ ${yes}` : `✕ ${no}`);
+
+/** @param {Report} report */
+function surface({ closed, manifold, certified }) {
+  const words = make('span', { class: 'verdicts' });
+  words.append(verdict(closed, 'closed', 'open'), verdict(manifold, 'manifold', 'not manifold'), verdict(certified, 'certified', 'not certified'));
+  return words;
+}
+
+/** @param {Report['contact']} contact */
+function contactText({ points, length, area }) {
+  const words = [area > 0 ? `area ${measure(area)}` : '', length > 0 ? `length ${measure(length)}` : '', points > 0 ? plural(points, 'point') : ''];
+  return words.filter(Boolean).join(', ') || 'none';
+}
+
+/** @param {Report} report @param {number} milliseconds @returns {Line[]} */
+function linesOf(report, milliseconds) {
+  const { triangles, volume, area, genus, components, contact, graph } = report;
+  return [
+    ['Triangles', number(triangles, count(triangles))],
+    ['Volume', number(volume, volume === null ? 'none' : measure(volume))],
+    ['Area', number(area, measure(area))],
+    ['Components', number(components, count(components))],
+    ['Genus', number(genus, genus === null ? 'none' : count(genus))],
+    ['Intersection', `${plural(graph.closedLoops, 'loop')}${graph.openChains > 0 ? `, ${plural(graph.openChains, 'chain')}` : ''}`],
+    ['Contact', contactText(contact)],
+    ['Surface', surface(report)],
+    ['Time', make('span', { title: 'the call; and with placing, reading back and shading' }, `${duration(report.milliseconds)} (${duration(milliseconds)} in all)`)],
+  ];
+}
+
+/** @param {import('../model.js').Model} model */
+export function startReport(model) {
+  const list = byId('report');
+  const notes = byId('notes');
+  model.on('result', () => {
+    if (model.result === undefined) return;
+    const { report, milliseconds } = model.result;
+    list.replaceChildren(...linesOf(report, milliseconds).flatMap(([term, text]) => [make('dt', {}, term), make('dd', {}, text)]));
+    notes.replaceChildren(...report.notes.map((note) => make('li', {}, note)));
+    notes.hidden = report.notes.length === 0;
+  });
+}

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Keys that work wherever no text is being typed.
+// @ts-check
+
+import { buttonsWith, byId } from '../dom.js';
+
+/** @param {EventTarget | null} target */
+function takesText(target) {
+  if (target instanceof HTMLInputElement) return !['radio', 'checkbox', 'file'].includes(target.type);
+  return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+}
+
+/** A key presses the button that names it in aria-keyshortcuts. */
+export function startShortcuts() {
+  const buttons = [...buttonsWith('choice'), ...buttonsWith('mode')].map(([, button]) => button);
+  const byKey = new Map([...buttons, byId('frame', HTMLButtonElement)].map((button) => [button.getAttribute('aria-keyshortcuts')?.toLowerCase(), button]));
+  addEventListener('keydown', (event) => {
+    if (event.ctrlKey || event.metaKey || event.altKey || takesText(event.target)) return;
+    const button = byKey.get(event.key.toLowerCase());
+    if (button === undefined) return;
+    event.preventDefault();
+    button.click();
+  });
+}

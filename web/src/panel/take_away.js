@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Taking the result away: as a file, or as the command lines that make it.
+// @ts-check
+
+import { commandsOf } from '../commands.js';
+import { byId } from '../dom.js';
+import { saveAs } from '../download.js';
+
+/** @typedef {import('../model.js').Model} Model */
+/** @typedef {import('mortise').Format} Format */
+
+/** @type {Record<import('../protocol.js').Choice, string>} */
+const fileNames = { union: 'union', intersect: 'intersection', first: 'a-minus-b', second: 'b-minus-a' };
+
+/** @param {Model} model @param {import('../engine.js').Engine} engine */
+function startDownload(model, engine) {
+  const button = byId('download', HTMLButtonElement);
+  const select = byId('format', HTMLSelectElement);
+  button.addEventListener('click', async () => {
+    if (model.result === undefined) return;
+    const format = /** @type {Format} */ (select.value);
+    const name = `${fileNames[model.result.choice]}.${format.replace('-ascii', '')}`;
+    saveAs(await engine.call('write', { format }), name);
+  });
+  select.addEventListener('change', () => {
+    byId('format-note').hidden = select.value !== 'stl';
+  });
+  model.on('result', () => {
+    button.disabled = false;
+  });
+}
+
+/** @param {Model} model */
+function startCommands(model) {
+  const text = byId('commands');
+  const copy = byId('copy', HTMLButtonElement);
+  model.on(['operands', 'placement', 'choice'], () => {
+    text.textContent = commandsOf(model).join('\n');
+    copy.textContent = 'Copy as command';
+  });
+  copy.addEventListener('click', async () => {
+    try {
+      await navigator.clipboard.writeText(text.textContent ?? '');
+      copy.textContent = 'Copied';
+    } catch {
+      getSelection()?.selectAllChildren(text);
+      copy.textContent = 'Selected: press Ctrl+C';
+    }
+  });
+}
+
+/** @param {Model} model @param {import('../engine.js').Engine} engine */
+export function startTakeAway(model, engine) {
+  startDownload(model, engine);
+  startCommands(model);
+}

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// An error in words, what it is about, and the way to the places it names.
+// @ts-check
+
+import { byId } from '../dom.js';
+import { count, plural } from '../numbers.js';
+
+/** What to do about it. @type {Record<string, string>} */
+const advice = {
+  NOT_CLOSED: 'A solid needs a surface without open edges. Close the holes in the program the file comes from.',
+  NOT_ORIENTED: 'Neighbouring triangles must run the same way round. Unify the normals in the program the file comes from.',
+  INSIDE_OUT: 'The surface faces inwards. Flip its normals in the program the file comes from.',
+  NOT_FINITE: 'A coordinate is not a number.',
+  BAD_INDEX: 'A triangle names a vertex that does not exist.',
+  PARSE_FAILED: 'The file is damaged, or not of the kind its name says.',
+  UNKNOWN_FORMAT: 'Files may be STL, OBJ, PLY or OFF.',
+  OUT_OF_MEMORY: 'The meshes are too large for this browser.',
+  OUT_OF_RANGE: 'Coordinates this large do not fit. Use a smaller scale.',
+};
+
+/** @param {import('../protocol.js').Trouble} trouble */
+function placesText({ details }) {
+  const places = details.places?.length ?? 0;
+  const kind = { vertices: 'place', faces: 'face', vertexPairs: 'edge' }[/** @type {'vertices'} */ (details.kind)] ?? 'place';
+  return places === 0 ? '' : `${places === 1000 ? `The first ${count(places)} ${kind}s are` : `${plural(places, kind)} ${places === 1 ? 'is' : 'are'}`} marked in the view.`;
+}
+
+/** @param {import('../model.js').Model} model */
+export function startTrouble(model) {
+  const box = byId('trouble');
+  const show = byId('show-places', HTMLButtonElement);
+  function update() {
+    const { trouble } = model;
+    box.hidden = trouble === undefined;
+    if (trouble === undefined) return;
+    byId('trouble-title').textContent = trouble.about === '' ? 'This did not work' : trouble.about;
+    byId('trouble-message').textContent = trouble.message;
+    byId('trouble-code').textContent = trouble.code;
+    const old = model.isOld ? 'The last good result is kept, shown faintly.' : '';
+    byId('trouble-advice').textContent = [advice[trouble.code], placesText(trouble), old].filter(Boolean).join(' ');
+    show.hidden = (trouble.details.places?.length ?? 0) === 0;
+  }
+  model.on(['trouble', 'result'], update);
+  show.addEventListener('click', () => model.tell('frameTrouble'));
+}
