@@ -3,13 +3,13 @@
 // Random small solids on a coarse grid, where most contacts are degenerate: exact volumes, order, exact motions and scales.
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "support/boolean_checks.h"
 #include "support/boolean_oracle.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
 #include "support/mesh_checks.h"
+#include "support/random_solids.h"
 #include "support/self_crossing_oracle.h"
 #include "support/test_scale.h"
 
@@ -19,76 +19,6 @@ using namespace mortise::test;
 namespace {
 
 constexpr Operation all_operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract};
-
-/// The same solids for the same seed with every compiler: only the bits of the engine are used.
-class RandomSolids {
- public:
-  explicit RandomSolids(std::uint64_t seed) : engine_(seed) {}
-
-  SurfaceMesh next() {
-    switch (below(4)) {
-      case 0:
-        return random_box();
-      case 1:
-        return random_tetrahedron();
-      case 2:
-        return turned(random_prism());
-      default:
-        return octahedron(grid_point(), 1 + static_cast<double>(below(2)));
-    }
-  }
-
-  std::vector<SurfaceMesh> next(std::size_t count) {
-    std::vector<SurfaceMesh> solids;
-    while (solids.size() < count) solids.push_back(next());
-    return solids;
-  }
-
-  std::size_t below(std::size_t bound) { return static_cast<std::size_t>(engine_() >> 32) % bound; }
-
-  template <class T>
-  void shuffle(std::vector<T>& items) {
-    for (std::size_t i = items.size(); i > 1; --i) std::swap(items[i - 1], items[below(i)]);
-  }
-
- private:
-  static constexpr std::size_t side_ = 4;
-
-  Vec3d grid_point() {
-    const double x = coordinate(), y = coordinate(), z = coordinate();
-    return {x, y, z};
-  }
-  double coordinate() { return static_cast<double>(below(side_ + 1)); }
-
-  SurfaceMesh random_box() {
-    const Vec3d lo = grid_point();
-    Vec3d hi = lo;
-    for (std::size_t i = 0; i < 3; ++i) hi[i] += 1 + static_cast<double>(below(3));
-    return below(2) == 0 ? box(lo, hi) : box_other_diagonals(lo, hi);
-  }
-
-  SurfaceMesh random_tetrahedron() {
-    for (;;) {
-      const Vec3d a = grid_point(), b = grid_point(), c = grid_point(), d = grid_point();
-      if (dot(cross(b - a, c - a), d - a) != 0) return tetrahedron(a, b, c, d);
-    }
-  }
-
-  SurfaceMesh random_prism() {
-    for (;;) {
-      const Vec3d a = grid_point(), b = grid_point(), c = grid_point();
-      const double low = coordinate(), high = low + 1 + static_cast<double>(below(3));
-      if ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) > 0) return prism({{a.x, a.y}, {b.x, b.y}, {c.x, c.y}}, low, high);
-    }
-  }
-
-  SurfaceMesh turned(SurfaceMesh mesh) {
-    for (std::size_t turns = below(3); turns > 0; --turns) mesh = with_axes_turned(std::move(mesh));
-    return mesh;
-  }
-
-  std::mt19937_64 engine_;
-};
 
 /// Runs check(solids, random) for many seeds; a failure names the seed.
 template <class Check>
@@ -129,20 +59,6 @@ void check_commutes(const std::vector<SurfaceMesh>& solids, const Map& map) {
     CHECK(before.graph.closed_loops == after.graph.closed_loops);
     CHECK(before.graph.open_chains == after.graph.open_chains);
   }
-}
-
-SurfaceMesh renumbered(const SurfaceMesh& mesh, RandomSolids& random) {
-  std::vector<std::size_t> place(mesh.points.size());
-  for (std::size_t i = 0; i < place.size(); ++i) place[i] = i;
-  random.shuffle(place);
-  SurfaceMesh shuffled = mesh;
-  for (std::size_t i = 0; i < place.size(); ++i) shuffled.points[place[i]] = mesh.points[i];
-  for (Triangle& t : shuffled.triangles) {
-    t = {VertexId(place[t[0].index()]), VertexId(place[t[1].index()]), VertexId(place[t[2].index()])};
-    std::rotate(t.begin(), t.begin() + static_cast<std::ptrdiff_t>(random.below(3)), t.end());
-  }
-  random.shuffle(shuffled.triangles);
-  return shuffled;
 }
 
 }  // namespace

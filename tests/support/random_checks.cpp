@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Checks of the random campaign: the general ones of results, and volumes of several results against one another.
+#include "support/random_checks.h"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <ctime>
+#include <map>
+#include <sstream>
+
+#include "support/boolean_checks.h"
+#include "support/boolean_oracle.h"
+#include "support/boolean_scenes.h"
+#include "support/mesh_checks.h"
+#include "support/self_crossing_oracle.h"
+
+namespace mortise::test {
+namespace {
+
+constexpr double most_seconds = 20;
+constexpr std::size_t most_faces_for_crossings = 4000;  // of a result
+constexpr std::size_t most_faces_for_provenance = 100;  // of all operands
+constexpr std::size_t most_products_for_volume = 600;   // of the numbers of faces
+
+using Operands = std::vector<const SurfaceMesh*>;
+
+double processor_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
+
+/// A volume and how far rounding may have moved it.
+struct Measure {
+  double volume = 0;
+  double tolerance = 0;
+};
+
+Measure operator+(const Measure& a, const Measure& b) { return {a.volume + b.volume, a.tolerance + b.tolerance}; }
+Measure operator-(const Measure& a, const Measure& b) { return {a.volume - b.volume, a.tolerance + b.tolerance}; }
+
+/// What an uncertified result may have and still be honest.
+bool is_allowed_uncertified(const std::string& fault) {
+  for (const char* allowed : {"not certified", "face without area", "face given twice", "two vertices at one place"}) {
+    if (fault.rfind(allowed, 0) == 0) return true;
+  }
+  return false;
+}
+
+std::string without_allowed(const std::string& faults) {
+  std::istringstream lines(faults);
+  std::string rest;
+  for (std::string line; std::getline(lines, line);) {
+    if (!is_allowed_uncertified(line)) rest += line + '\n';
+  }
+  return rest;
+}
+
+/// Does a mesh that is not too large for the oracle meet itself beyond what its faces share?
+bool is_small_and_crosses(const SurfaceMesh& mesh) {
+  return mesh.triangles.size() <= most_faces_for_crossings && !oracle::self_crossings(mesh).empty();
+}
+
+/// Volumes of booleans by the oracle, from common volumes that are found once each.
+class OracleVolumes {
+ public:
+  explicit OracleVolumes(const Operands& operands) : operands_(operands) {}
+
+  oracle::Rational of(Operation operation, const Operands& operands) {
+    const std::uint32_t all = mask_of(operands), first = mask_of({operands[0]});
+    if (operation == Operation::Intersect) return common(all);
+    oracle::Rational sum = operation == Operation::Subtract ? common(first) : 0;
+    const std::uint32_t always = operation == Operation::Subtract ? first : 0, others = all & ~always;
+    for (std::uint32_t subset = others; subset != 0; subset = (subset - 1) & others) {
+      const bool adds = (std::popcount(subset) % 2 == 1) == (operation == Operation::Union);
+      sum += adds ? common(subset | always) : -common(subset | always);
+    }
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t mask_of(const Operands& operands) const {
+    std::uint32_t mask = 0;
+    for (const SurfaceMesh* operand : operands) {
+      mask |= 1U << static_cast<unsigned>(std::find(operands_.begin(), operands_.end(), operand) - operands_.begin());
+    }
+    return mask;
+  }
+
+  const oracle::Rational& common(std::uint32_t mask) {
+    const auto known = known_.find(mask);
+    if (known != known_.end()) return known->second;
+    Operands chosen;
+    for (std::size_t i = 0; i < operands_.size(); ++i) {
+      if ((mask >> i & 1U) != 0) chosen.push_back(operands_[i]);
+    }
+    return known_[mask] = chosen.size() == 1 ? oracle::volume(*chosen[0]) : oracle::common_volume(chosen);
+  }
+
+  Operands operands_;
+  std::map<std::uint32_t, oracle::Rational> known_;
+};
+
+class CaseCheck {
+ public:
+  explicit CaseCheck(const RandomCase& drawn) : family_(drawn.family), operands_(pointers_to(drawn.operands)), oracle_(operands_) {
+    double largest = 0;
+    for (const SurfaceMesh* operand : operands_) {
+      largest = std::max(largest, largest_coordinate(*operand));
+      faces_ += operand->triangles.size();
+      products_ *= operand->triangles.size();
+    }
+    coordinate_ = largest;
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    unit_ = std::ldexp(1.0, -exponent);
+  }
+
+  CaseOutcome run() {
+    try {
+      check();
+    } catch (const Error& error) {
+      if (error.code != ErrorCode::Cancelled) {
+        add_fault(std::string(error_code_name(error.code)) + " in " + error.stage + ": " + error.message);
+      }
+    } catch (const std::exception& error) {
+      add_fault(std::string("exception: ") + error.what());
+    }
+    outcome_.seconds = processor_seconds() - start_;
+    if (outcome_.seconds > most_seconds) add_fault("slow: more than 20 seconds");
+    return outcome_;
+  }
+
+ private:
+  void check() {
+    // What an operand has of its own may stay in the result.
+    crosses_itself_ =
+        std::any_of(operands_.begin(), operands_.end(), [](const SurfaceMesh* operand) { return is_small_and_crosses(*operand); });
+    const Operands backwards(operands_.rbegin(), operands_.rend()), rest(operands_.begin() + 1, operands_.end());
+    const BooleanResult all = evaluated(Operation::Union, operands_), common = evaluated(Operation::Intersect, operands_);
+    expect_same(all, evaluated(Operation::Union, backwards), "union");
+    expect_same(common, evaluated(Operation::Intersect, backwards), "intersection");
+    const Measure either = measure(all), both = measure(common);
+    const Measure first_less = measure(evaluated(Operation::Subtract, operands_));
+    const Measure last_less = measure(evaluated(Operation::Subtract, backwards));
+    expect_equal(either, first_less + volume_of_union(rest), "union = first less others + union of others");
+    expect_equal(either, last_less + volume_of_union({backwards.begin() + 1, backwards.end()}),
+                 "union = last less others + union of others");
+    if (operands_.size() == 2) {
+      expect_equal(either + both, input(0) + input(1), "union + intersection = sum");
+    } else if (operands_.size() == 3) {
+      expect_equal(either - both, input(0) + input(1) + input(2) - common_volumes_of_pairs(), "union - intersection = sum - pairs");
+    }
+  }
+
+  [[nodiscard]] bool is_exact() const { return family_ == Family::Grid; }
+
+  void add_fault(const std::string& text) { outcome_.faults += text.back() == '\n' ? text : text + '\n'; }
+
+  BooleanResult evaluated(Operation operation, const Operands& operands) {
+    BooleanOptions options;
+    options.progress = [this](std::string_view, double) { return processor_seconds() - start_ <= most_seconds; };
+    BooleanResult result = evaluate_boolean(operation, operands, options);
+    const std::string faults = faults_of_result(operation, operands, result);
+    if (!faults.empty()) add_fault(std::string(operation_name(operation)) + " of " + std::to_string(operands.size()) + ":\n" + faults);
+    const double displacement = result.report.certificate.largest_displacement;
+    outcome_.displacement = std::max(outcome_.displacement, displacement / std::ldexp(coordinate_, -52));
+    return result;
+  }
+
+  std::string faults_of_result(Operation operation, const Operands& operands, const BooleanResult& result) {
+    std::string faults = faults_of_mesh(result);
+    if (result.report.certificate.status == CertificateStatus::Uncertified) {
+      outcome_.is_uncertified = true;
+      faults = without_allowed(faults);
+      return is_balanced(result.mesh) ? faults : faults + "edge not balanced\n";
+    }
+    if (!faults.empty()) return faults;
+    if (!crosses_itself_ && is_small_and_crosses(result.mesh)) faults += "certified, but crosses itself\n";
+    if (faces_ <= most_faces_for_provenance) {
+      faults += faults_of_provenance(operands, result, is_exact() ? Repairs::None : Repairs::Allowed);
+    }
+    return faults + faults_of_volume(operation, operands, result);
+  }
+
+  std::string faults_of_volume(Operation operation, const Operands& operands, const BooleanResult& result) {
+    if (is_exact()) {
+      const bool agrees = oracle::volume(result.mesh, exact_positions(operands, result)) == oracle_.of(operation, operands);
+      return agrees ? "" : "volume before rounding is not the oracle's\n";
+    }
+    if (products_ > most_products_for_volume || crosses_itself_) return "";
+    const Measure measured = measure(result);
+    const double cubic_unit = unit_ * unit_ * unit_;
+    const double expected = cubic_unit * oracle::nearest_double(oracle_.of(operation, operands));
+    return std::fabs(measured.volume - expected) <= measured.tolerance ? "" : "volume is not the oracle's\n";
+  }
+
+  /// In units in which the largest coordinate is between 1/2 and 1.
+  [[nodiscard]] Measure measure(const BooleanResult& result) const {
+    BooleanReport report;
+    report.certificate.largest_displacement = unit_ * result.report.certificate.largest_displacement;
+    const Shape shape = shape_of(scaled(result.mesh, unit_));
+    double volumes = 0;
+    for (std::size_t i = 0; i < operands_.size(); ++i) volumes += input(i).volume;
+    return {shape.volume, identity_tolerance(volumes, shape.area, report, unit_ * coordinate_)};
+  }
+
+  [[nodiscard]] Measure input(std::size_t i) const { return {exact_volume(scaled(*operands_[i], unit_)), 0}; }
+
+  Measure volume_of_union(const Operands& operands) {
+    if (operands.size() == 1) return {exact_volume(scaled(*operands[0], unit_)), 0};
+    return measure(evaluated(Operation::Union, operands));
+  }
+
+  Measure common_volumes_of_pairs() {
+    Measure sum;
+    for (const auto& [i, j] : {std::array<std::size_t, 2>{0, 1}, {0, 2}, {1, 2}}) {
+      sum = sum + measure(evaluated(Operation::Intersect, {operands_[i], operands_[j]}));
+    }
+    return sum;
+  }
+
+  void expect_equal(const Measure& a, const Measure& b, const std::string& identity) {
+    const Measure difference = a - b;
+    if (std::fabs(difference.volume) <= difference.tolerance) return;
+    std::ostringstream text;
+    text << identity << " is off by " << difference.volume << ", allowed " << difference.tolerance;
+    add_fault(text.str());
+  }
+
+  void expect_same(const BooleanResult& forwards, const BooleanResult& backwards, const std::string& name) {
+    if (sorted_points(forwards.mesh) != sorted_points(backwards.mesh)) add_fault("the order of operands changes points of the " + name);
+    if (forwards.mesh.triangles.size() != backwards.mesh.triangles.size()) add_fault("the order of operands changes faces of the " + name);
+    if (forwards.graph.edges.size() != backwards.graph.edges.size()) add_fault("the order of operands changes the graph of the " + name);
+  }
+
+  Family family_;
+  Operands operands_;
+  OracleVolumes oracle_;
+  double start_ = processor_seconds();
+  std::size_t faces_ = 0, products_ = 1;
+  double coordinate_ = 0, unit_ = 1;
+  bool crosses_itself_ = false;
+  CaseOutcome outcome_;
+};
+
+}  // namespace
+
+CaseOutcome check_case(const RandomCase& random_case) { return CaseCheck(random_case).run(); }
+
+}  // namespace mortise::test
