@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Compares the native library with the npm package, bit for bit: SHA-256 of the raw little-endian arrays of every scene of
-// tests/tools/scenes.txt and of every small scene of the unit tests. Real meshes come from MORTISE_DATA.
+// tests/scenes.txt and of every small scene of the unit tests. Real meshes come from MORTISE_DATA.
 // usage: compare-hashes.mjs [path of the native tool result_hashes]
 
 import { execFileSync } from 'node:child_process';
@@ -15,7 +15,7 @@ import { fileURLToPath } from 'node:url';
 import { load, MeshError } from 'mortise';
 
 const repository = fileURLToPath(new URL('..', import.meta.url));
-const sceneList = join(repository, 'tests/tools/scenes.txt');
+const sceneList = join(repository, 'tests/scenes.txt');
 const tool = process.argv[2] ?? join(repository, 'build/release/tests/result_hashes');
 const dataFolder = process.env.MORTISE_DATA ?? join(repository, '../shared/data');
 const shapeNames = { grid_sheet: 'gridSheet' };
@@ -81,8 +81,8 @@ function storedOperands(folder) {
   });
 }
 
-/** Names and bytes of what the native tool writes for one operation. */
-function outcome(operation, operands) {
+/** Names and bytes of what the native tool writes for one evaluation. */
+function outcome(name, operation, operands) {
   try {
     const { mesh, provenance, graph, report } = mortise[operation](operands);
     const { categoryNames: _, coveringSets, ...perTriangle } = provenance;
@@ -94,34 +94,44 @@ function outcome(operation, operands) {
       graphEdges: graph.edges,
       graphChains: Uint32Array.from(graph.chains.flatMap((chain) => [...chain])),
       regionMeasures: Float64Array.from(regions.flatMap((region) => [region.volume, region.area, ...region.operands])),
-      measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area),
+      measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area, report.certified ? 1 : 0),
       'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
       stl: mortise.writeMesh(mesh, { format: 'stl' }),
     };
     return [
-      ...arraysOfMesh(`${operation}.`, mesh),
-      ...arraysOfMesh(`${operation}.float32.`, mortise.roundToFloat32(mesh)),
-      ...Object.entries(arrays).map(([name, array]) => [`${operation}.${name}`, bytesOf(array)]),
+      ...arraysOfMesh(`${name}.`, mesh),
+      ...arraysOfMesh(`${name}.float32.`, mortise.roundToFloat32(mesh)),
+      ...Object.entries(arrays).map(([field, array]) => [`${name}.${field}`, bytesOf(array)]),
     ];
   } catch (error) {
     if (!(error instanceof MeshError)) throw error;
-    return [[`${operation}.error`, textBytes(error.code)]];
+    return [[`${name}.error`, textBytes(error.code)]];
   }
 }
 
-/** Every array of a scene by name. */
-function arraysOf(operands) {
+/** The evaluations of a scene: its indented lines, "subtract B A = 6.41", or else three operations. */
+function evaluationsOf(lines) {
+  if (lines.length === 0) return [['union'], ['intersect'], ['subtract']];
+  return lines.map((line) => line.slice(0, line.indexOf(' = ')).trim().split(/\s+/));
+}
+
+/** Every array of a scene by name. @param {string[][]} evaluations operation and operands, none for all of them */
+function arraysOf(operands, evaluations) {
   const given = operands.flatMap((mesh, k) => arraysOfMesh(`operand${k}.`, mesh));
-  return new Map([...given, ...['union', 'intersect', 'subtract'].flatMap((operation) => outcome(operation, operands))]);
+  const results = evaluations.flatMap(([operation, ...chosen]) => {
+    const order = chosen.map((letter) => operands[letter.charCodeAt(0) - 'A'.charCodeAt(0)]);
+    return outcome([operation, ...chosen].join('-'), operation, order.length === 0 ? operands : order);
+  });
+  return new Map([...given, ...results]);
 }
 
 /** The first few of many names. */
 const summary = (names) => `${names.slice(0, 4).join(', ')}${names.length > 4 ? `, ... ${names.length} arrays` : ''}`;
 
 /** Compares one scene, prints a line, answers whether all is equal. */
-function compareScene(folder, operands) {
+function compareScene(folder, { operands, evaluations }) {
   const name = readFileSync(join(folder, 'name'), 'utf8');
-  const ours = arraysOf(operands);
+  const ours = arraysOf(operands, evaluations);
   const files = new Set([...readdirSync(folder).filter((file) => file !== 'name'), ...ours.keys()]);
   const total = createHash('sha256');
   const different = [...files].sort().filter((file) => {
@@ -134,22 +144,22 @@ function compareScene(folder, operands) {
   return different.length === 0;
 }
 
-/** Operands of the scene a folder was written for. */
-function operandsFor(folderName, folder, lines) {
-  if (!folderName.startsWith('listed-')) return storedOperands(folder);
-  const line = lines[Number(folderName.slice('listed-'.length)) - 1];
-  return line.slice(line.indexOf(' : ') + 3).split('|').map(operandOf);
+/** The scene a folder was written for. */
+function sceneOf(folderName, folder, lines) {
+  if (!folderName.startsWith('listed-')) return { operands: storedOperands(folder), evaluations: evaluationsOf([]) };
+  const [line, ...following] = lines.slice(Number(folderName.slice('listed-'.length)) - 1);
+  const end = following.findIndex((text) => !text.startsWith(' '));
+  return { operands: line.slice(line.indexOf(' : ') + 3).split('|').map(operandOf), evaluations: evaluationsOf(following.slice(0, end)) };
 }
 
 const byNumber = (a, b) => a.localeCompare(b, 'en', { numeric: true });
 const out = mkdtempSync(join(tmpdir(), 'mortise-hashes-'));
 try {
-  const data = existsSync(dataFolder) ? [dataFolder] : [];
-  execFileSync(tool, [sceneList, out, ...data], { stdio: 'inherit' });
+  execFileSync(tool, [sceneList, out], { stdio: 'inherit', env: { ...process.env, MORTISE_DATA: dataFolder } });
   const lines = readFileSync(sceneList, 'utf8').split('\n');
   const folders = readdirSync(out).sort(byNumber);
-  const same = folders.filter((name) => compareScene(join(out, name), operandsFor(name, join(out, name), lines)));
-  console.log(`${same.length} of ${folders.length} scenes have the same bits natively and in WebAssembly${data.length === 0 ? ' (no real meshes here)' : ''}`);
+  const same = folders.filter((name) => compareScene(join(out, name), sceneOf(name, join(out, name), lines)));
+  console.log(`${same.length} of ${folders.length} scenes have the same bits natively and in WebAssembly${!existsSync(dataFolder) ? ' (no real meshes here)' : ''}`);
   process.exitCode = same.length === folders.length && folders.length > 0 ? 0 : 1;
 } finally {
   rmSync(out, { recursive: true, force: true });

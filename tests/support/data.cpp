@@ -74,11 +74,14 @@ std::vector<std::string> data_files(const std::string& folder) {
   return names;
 }
 
-SurfaceMesh read_data(const std::string& file, const std::string& moves) {
-  SurfaceMesh mesh = read_mesh_file((fs::path(data_folder().value()) / file).string());
+SurfaceMesh moved_by(SurfaceMesh mesh, const std::string& moves) {
   std::istringstream stream(moves);
   for (std::string move; stream >> move;) mesh = transform(mesh, map_of(move));
   return mesh;
+}
+
+SurfaceMesh read_data(const std::string& file, const std::string& moves) {
+  return moved_by(read_mesh_file((fs::path(data_folder().value()) / file).string()), moves);
 }
 
 }  // namespace mortise::test

@@ -21,8 +21,11 @@ namespace mortise::test {
 /// Names of the files directly in a folder of the data, sorted.
 [[nodiscard]] std::vector<std::string> data_files(const std::string& folder);
 
-/// A mesh of the data, moved. Moves are done in the order written, separated by blanks: `s=2` scale, `rx=90` `ry=90` `rz=45`
-/// rotation in degrees, `mx` `my` `mz` mirror, `t=1,2,3` translation.
+/// The mesh moved. Moves are done in the order written, separated by blanks: `s=2` scale, `rx=90` `ry=90` `rz=45` rotation in
+/// degrees, `mx` `my` `mz` mirror, `t=1,2,3` translation.
+[[nodiscard]] SurfaceMesh moved_by(SurfaceMesh mesh, const std::string& moves);
+
+/// A mesh of the data, moved.
 [[nodiscard]] SurfaceMesh read_data(const std::string& file, const std::string& moves = "");
 
 }  // namespace mortise::test

@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Reads lists of scenes and makes their operands.
+#include "support/scene_list.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <stdexcept>
+
+#include "mortise/mesh/shape_by_name.h"
+#include "support/data.h"
+
+namespace mortise::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);) parts.push_back(trimmed(part));
+  return parts;
+}
+
+std::vector<std::string> words_of(const std::string& text) {
+  std::vector<std::string> words;
+  std::istringstream stream(text);
+  for (std::string word; stream >> word;) words.push_back(word);
+  return words;
+}
+
+Operation operation_named(const std::string& name) {
+  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
+    if (operation_name(operation) == name) return operation;
+  }
+  throw std::invalid_argument("no operation is called " + name);
+}
+
+std::vector<std::size_t> all_of(std::size_t count) {
+  std::vector<std::size_t> order(count);
+  for (std::size_t i = 0; i < count; ++i) order[i] = i;
+  return order;
+}
+
+/// @param text  "subtract B A"
+Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
+  const std::vector<std::string> words = words_of(text);
+  Evaluation evaluation{words.at(0), operation_named(words[0]), {}, "", "", "", ""};
+  for (std::size_t i = 1; i < words.size(); ++i) {
+    const auto operand = static_cast<std::size_t>(words[i].at(0) - 'A');
+    if (words[i].size() != 1 || operand >= operand_count) throw std::invalid_argument("no operand " + words[i]);
+    evaluation.order.push_back(operand);
+    evaluation.name += "-" + words[i];
+  }
+  if (evaluation.order.empty()) evaluation.order = all_of(operand_count);
+  return evaluation;
+}
+
+/// @param text  "subtract B A = 6.41, parts 2"
+Evaluation figures_of(const std::string& text, std::size_t operand_count) {
+  const std::size_t equals = text.find(" = ");
+  Evaluation evaluation = evaluation_of(text.substr(0, equals), operand_count);
+  const std::vector<std::string> figures = split(text.substr(equals + 3), ',');
+  evaluation.volume = figures.at(0);
+  for (std::size_t i = 1; i < figures.size(); ++i) {
+    const std::vector<std::string> words = words_of(figures[i]);
+    std::string* const kept = words.at(0) == "area" ? &evaluation.area : words[0] == "genus" ? &evaluation.genus : &evaluation.parts;
+    if (kept == &evaluation.parts && words[0] != "parts") throw std::invalid_argument("no figure is called " + words[0]);
+    *kept = words.at(1);
+  }
+  return evaluation;
+}
+
+bool is_made(const std::string& operand) { return operand.starts_with("make "); }
+
+/// @param text  "name : operand | operand"
+ListedScene scene_of(const std::string& text, std::size_t line) {
+  const std::size_t colon = text.find(" : ");
+  if (colon == std::string::npos) throw std::invalid_argument("not a scene");
+  ListedScene scene{text.substr(0, colon), line, split(text.substr(colon + 3), '|'), {}};
+  for (const std::string& operand : scene.operands) scene.needs_data = scene.needs_data || !is_made(operand);
+  return scene;
+}
+
+void add_line(std::vector<ListedScene>& scenes, const std::string& text, std::size_t line) {
+  if (text.empty() || text[0] == '#') return;
+  if (text[0] != ' ') {
+    scenes.push_back(scene_of(text, line));
+    return;
+  }
+  scenes.back().evaluations.push_back(figures_of(trimmed(text), scenes.back().operands.size()));
+  scenes.back().has_figures = true;
+}
+
+void complete(ListedScene& scene) {
+  if (scene.has_figures) return;
+  for (const char* operation : {"union", "intersect", "subtract"})
+    scene.evaluations.push_back(evaluation_of(operation, scene.operands.size()));
+}
+
+std::vector<double> numbers_of(const std::vector<std::string>& words, std::size_t from) {
+  std::vector<double> numbers;
+  for (std::size_t i = from; i < words.size(); ++i) numbers.push_back(std::strtod(words[i].c_str(), nullptr));
+  return numbers;
+}
+
+}  // namespace
+
+std::vector<ListedScene> read_scene_list(const std::string& path) {
+  std::ifstream stream(path);
+  if (!stream) throw std::invalid_argument("cannot read " + path);
+  std::vector<ListedScene> scenes;
+  std::size_t number = 0;
+  for (std::string line; std::getline(stream, line);) {
+    ++number;
+    try {
+      add_line(scenes, line, number);
+    } catch (const std::exception& error) {
+      throw std::invalid_argument(path + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+  for (ListedScene& scene : scenes) complete(scene);
+  return scenes;
+}
+
+std::vector<ListedScene> listed_scenes() {
+  fs::path folder = fs::current_path();
+  while (!fs::is_regular_file(folder / "tests" / "scenes.txt") && folder != folder.parent_path()) folder = folder.parent_path();
+  return read_scene_list((folder / "tests" / "scenes.txt").string());
+}
+
+SurfaceMesh load_operand(const std::string& text) {
+  const std::vector<std::string> halves = split(text, ';');
+  const std::string moves = halves.size() > 1 ? halves[1] : "";
+  const std::vector<std::string> words = words_of(halves.at(0));
+  if (!is_made(text)) return read_data(words.at(0), moves);
+  return moved_by(make_shape(words.at(1), numbers_of(words, 2)), moves);
+}
+
+}  // namespace mortise::test
