@@ -22,9 +22,10 @@ export function startCalculation(model, engine) {
   /** @param {unknown} error @param {Operand[]} operands of the call */
   function keepError(error, operands) {
     const { code, message, details } = error instanceof EngineError ? error : { code: 'INTERNAL_ERROR', message: String(error), details: {} };
-    const operand = operands[details.operand ?? (operands.length === 1 ? 0 : -1)];
-    const about = operand === undefined ? '' : `${letterOf(model.positionOf(operand.key))} (${operand.name})`;
-    model.trouble = { code, message, details, about };
+    const letter = (/** @type {number} */ i) => letterOf(model.positionOf(operands[i].key));
+    const i = details.operand ?? (operands.length === 1 ? 0 : -1);
+    const about = operands[i] === undefined ? '' : `${letter(i)} (${operands[i].name})`;
+    model.trouble = { code, message: message.replace(/\boperand (\d+)\b/g, (text, n) => (operands[n] === undefined ? text : letter(n))), details, about };
     model.isOld = model.result !== undefined;
     model.tell('trouble');
   }

@@ -20,11 +20,13 @@ function number(value, text) {
 const verdict = (good, yes, no) => make('span', { class: good ? 'good' : 'bad' }, good ? `✓ ${yes}` : `✕ ${no}`);
 
 /** @param {Report} report */
-function surface({ closed, manifold, certified }) {
-  const words = make('span', { class: 'verdicts' });
-  words.append(verdict(closed, 'closed', 'open'), verdict(manifold, 'manifold', 'not manifold'), verdict(certified, 'certified', 'not certified'));
-  return words;
+function verdicts({ closed, manifold, certified }) {
+  const words = [verdict(closed, 'closed', 'open'), verdict(manifold, 'manifold', 'not manifold'), verdict(certified, 'certified', 'not certified')];
+  return [make('dt', { class: 'unseen' }, 'Surface'), make('dd', { class: 'verdicts' }, ...words)];
 }
+
+/** A note with its numbers cut to three digits. @param {string} note */
+const shortNote = (note) => note.replace(/\d+\.\d{4,}(e[+-]?\d+)?/g, (number) => measure(Number(number), 3));
 
 /** @param {Report['contact']} contact */
 function contactText({ points, length, area }) {
@@ -43,7 +45,6 @@ function linesOf(report, milliseconds) {
     ['Genus', number(genus, genus === null ? 'none' : count(genus))],
     ['Intersection', `${plural(graph.closedLoops, 'loop')}${graph.openChains > 0 ? `, ${plural(graph.openChains, 'chain')}` : ''}`],
     ['Contact', contactText(contact)],
-    ['Surface', surface(report)],
     ['Time', make('span', { title: 'the call; and with placing, reading back and shading' }, `${duration(report.milliseconds)} (${duration(milliseconds)} in all)`)],
   ];
 }
@@ -55,8 +56,9 @@ export function startReport(model) {
   model.on('result', () => {
     if (model.result === undefined) return;
     const { report, milliseconds } = model.result;
-    list.replaceChildren(...linesOf(report, milliseconds).flatMap(([term, text]) => [make('dt', {}, term), make('dd', {}, text)]));
-    notes.replaceChildren(...report.notes.map((note) => make('li', {}, note)));
+    const lines = linesOf(report, milliseconds).flatMap(([term, text]) => [make('dt', {}, term), make('dd', {}, text)]);
+    list.replaceChildren(...verdicts(report), ...lines);
+    notes.replaceChildren(...report.notes.map((note) => make('li', { title: note }, shortNote(note))));
     notes.hidden = report.notes.length === 0;
   });
 }

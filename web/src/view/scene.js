@@ -28,7 +28,8 @@ export function createScene(model, canvas) {
   /** Floats are relative to this point in doubles: the first operand's own. */
   const origin = () => model.operands[0]?.display.origin ?? [0, 0, 0];
 
-  const contentBox = () => new Box3().union(boxOf(result.root.visible && !model.isOld ? [result.facets] : [])).union(boxOf(ghosts.all().map(({ ghost }) => ghost)));
+  /** Every result lies within its operands. */
+  const contentBox = () => boxOf(ghosts.all().map(({ ghost }) => ghost));
 
   function place() {
     result.place(origin());

@@ -73,8 +73,8 @@ export function displayOf(mesh, normals, sourceOperand) {
   const smooth = cornerNormals(mesh, normals, sourceOperand);
   const display = { origin, positions: new Float32Array(9 * faces.length), normals: new Float32Array(9 * faces.length), groups };
   faces.forEach((face, i) => {
-    display.normals.set(smooth.subarray(9 * face, 9 * face + 9), 9 * i);
     for (let k = 0; k < 9; ++k) {
+      display.normals[9 * i + k] = smooth[9 * face + k];
       const vertex = mesh.triangles[3 * face + Math.floor(k / 3)];
       display.positions[9 * i + k] = mesh.positions[3 * vertex + (k % 3)] - origin[k % 3];
     }

@@ -26,6 +26,12 @@ const arrow = (positions, from, to) => [
   positions[3 * to + 2] - positions[3 * from + 2],
 ];
 
+/** @param {number[]} vector */
+const lengthOf = ([x, y, z]) => Math.sqrt(x * x + y * y + z * z);
+
+/** @param {number[]} u @param {number[]} v */
+const crossOf = ([ux, uy, uz], [vx, vy, vz]) => [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+
 /**
  * One unit normal per triangle; zero where it has no area.
  * @param {Mesh} mesh
@@ -33,10 +39,8 @@ const arrow = (positions, from, to) => [
 export function faceNormals({ positions, triangles }) {
   const normals = new Float32Array(triangles.length);
   for (let at = 0; at < triangles.length; at += 3) {
-    const [ux, uy, uz] = arrow(positions, triangles[at], triangles[at + 1]);
-    const [vx, vy, vz] = arrow(positions, triangles[at], triangles[at + 2]);
-    const normal = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
-    const length = Math.hypot(...normal) || 1;
+    const normal = crossOf(arrow(positions, triangles[at], triangles[at + 1]), arrow(positions, triangles[at], triangles[at + 2]));
+    const length = lengthOf(normal) || 1;
     for (let axis = 0; axis < 3; ++axis) normals[at + axis] = normal[axis] / length;
   }
   return normals;
@@ -72,17 +76,12 @@ function cornerAngles({ positions, triangles }) {
   const angles = new Float32Array(triangles.length);
   for (let corner = 0; corner < triangles.length; ++corner) {
     const first = corner - (corner % 3);
-    const [ux, uy, uz] = arrow(positions, triangles[corner], triangles[first + ((corner + 1) % 3)]);
-    const [vx, vy, vz] = arrow(positions, triangles[corner], triangles[first + ((corner + 2) % 3)]);
-    angles[corner] = Math.atan2(Math.hypot(uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx), ux * vx + uy * vy + uz * vz);
+    const u = arrow(positions, triangles[corner], triangles[first + ((corner + 1) % 3)]);
+    const v = arrow(positions, triangles[corner], triangles[first + ((corner + 2) % 3)]);
+    angles[corner] = Math.atan2(lengthOf(crossOf(u, v)), u[0] * v[0] + u[1] * v[1] + u[2] * v[2]);
   }
   return angles;
 }
-
-/**
- * What the mean at a vertex is made from: per face its normal and its operand, per corner its angle.
- * @typedef {{ normals: Float32Array, angles: Float32Array, sourceOperand: Uint32Array | undefined }} Faces
- */
 
 /**
  * One normal per corner: the mean over those triangles round its vertex that are of the same operand and lie within the crease angle of
@@ -93,29 +92,29 @@ function cornerAngles({ positions, triangles }) {
  */
 export function cornerNormals(mesh, normals, sourceOperand) {
   const { begin, corners } = cornersByVertex(mesh);
-  const faces = { normals, angles: cornerAngles(mesh), sourceOperand };
+  const angles = cornerAngles(mesh);
   const smooth = new Float32Array(3 * mesh.triangles.length);
+
+  /** @param {number} face @param {number} other */
+  const join = (face, other) => sourceOperand?.[face] === sourceOperand?.[other] && cosineBetween(normals, face, other) >= creaseCosine;
+
+  /** The sum over the fan of a vertex, as seen from one of its faces. @param {number} face @param {number} from @param {number} to */
+  function sumOver(face, from, to) {
+    const sum = [0, 0, 0];
+    for (let i = from; i < to; ++i) {
+      const other = Math.floor(corners[i] / 3);
+      if (!join(face, other)) continue;
+      for (let axis = 0; axis < 3; ++axis) sum[axis] += angles[corners[i]] * normals[3 * other + axis];
+    }
+    return sum;
+  }
+
   for (let corner = 0; corner < mesh.triangles.length; ++corner) {
-    const vertex = mesh.triangles[corner];
     const face = Math.floor(corner / 3);
-    const fan = corners.subarray(begin[vertex], begin[vertex + 1]);
-    smooth.set(fan.length > largestFan ? normals.subarray(3 * face, 3 * face + 3) : meanNormal(fan, face, faces), 3 * corner);
+    const [from, to] = [begin[mesh.triangles[corner]], begin[mesh.triangles[corner] + 1]];
+    const sum = to - from > largestFan ? [normals[3 * face], normals[3 * face + 1], normals[3 * face + 2]] : sumOver(face, from, to);
+    const length = lengthOf(sum) || 1;
+    for (let axis = 0; axis < 3; ++axis) smooth[3 * corner + axis] = sum[axis] / length;
   }
   return smooth;
-}
-
-/**
- * @param {Uint32Array} fan corners at one vertex
- * @param {number} face one of theirs
- * @param {Faces} faces
- */
-function meanNormal(fan, face, { normals, angles, sourceOperand }) {
-  const sum = [0, 0, 0];
-  for (const corner of fan) {
-    const other = Math.floor(corner / 3);
-    if (sourceOperand?.[face] !== sourceOperand?.[other] || cosineBetween(normals, face, other) < creaseCosine) continue;
-    for (let axis = 0; axis < 3; ++axis) sum[axis] += angles[corner] * normals[3 * other + axis];
-  }
-  const length = Math.hypot(...sum);
-  return length === 0 ? [0, 0, 1] : sum.map((x) => x / length);
 }

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The parts of the page that need no browser.
+
+import assert from 'node:assert/strict';
+import test from 'node:test';
+
+import { inOrder } from '../src/choices.js';
+import { commandsOf } from '../src/commands.js';
+import { newestOnly } from '../src/newest_only.js';
+import { digitsFor, roundTo, stepsOf, unmoved } from '../src/placement.js';
+
+test('a part that is only moved gets one step', () => {
+  assert.deepEqual(stepsOf(unmoved(), [5, 5, 5]), []);
+  assert.deepEqual(stepsOf({ ...unmoved(), move: [1, 0, -2] }, [5, 5, 5]), [{ translate: [1, 0, -2] }]);
+});
+
+test('scaling and turning are about the origin of the part', () => {
+  const placement = { move: [0.1, 0, 0], turn: [0, 30, 0], scale: [2, 2, 2] };
+  assert.deepEqual(stepsOf(placement, [0.2, 0, 7]), [{ translate: [-0.2, 0, -7] }, { scale: 2 }, { rotateY: 30 }, { translate: [0.3, 0, 7] }]);
+  assert.deepEqual(stepsOf({ ...placement, move: [0, 0, 0] }, [0, 0, 0]), [{ scale: 2 }, { rotateY: 30 }]);
+});
+
+test('dragged lengths are rounded to what the size of the part makes worth reading', () => {
+  assert.equal(roundTo(0.123456789, digitsFor(2.4)), 0.1235);
+  assert.equal(roundTo(1234.56789, digitsFor(30_000)), 1235);
+  assert.equal(Object.is(roundTo(-0.00001, 2), 0), true);
+});
+
+test('names of files are quoted for the shell', () => {
+  const operand = (name) => ({ source: { kind: 'file', name }, placement: unmoved(), display: { origin: [0, 0, 0] } });
+  const operands = [operand('a.stl'), operand('-b.stl'), operand("it's $HOME.stl")];
+  assert.deepEqual(commandsOf({ operands, choice: 'second' }), ["npx mortise subtract ./-b.stl a.stl 'it'\\''s $HOME.stl' -o result.ply"]);
+});
+
+test('B − A takes the second operand first', () => {
+  assert.deepEqual(inOrder('second', ['a', 'b', 'c']), ['b', 'a', 'c']);
+  assert.deepEqual(inOrder('first', ['a', 'b', 'c']), ['a', 'b', 'c']);
+});
+
+test('while a job runs, of the new ones only the last is kept', async () => {
+  let state = 0;
+  const seen = [];
+  const finish = [];
+  const ask = newestOnly(() => {
+    seen.push(state);
+    return new Promise((resolve) => finish.push(resolve));
+  });
+  for (state = 1; state <= 5; ++state) ask();
+  state = 5;
+  assert.deepEqual(seen, [1]);
+  finish[0]();
+  await new Promise(setImmediate);
+  assert.deepEqual(seen, [1, 5]);
+  finish[1]();
+  await new Promise(setImmediate);
+  assert.deepEqual(seen, [1, 5]);
+});
