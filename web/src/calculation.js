@@ -4,10 +4,10 @@
 // @ts-check
 
 import { choices, inOrder } from './choices.js';
-import { EngineError } from './engine.js';
 import { letterOf } from './model.js';
 import { newestOnly } from './newest_only.js';
 import { stepsOf } from './placement.js';
+import { troubleOf } from './trouble.js';
 
 /** @typedef {import('./protocol.js').Operand} Operand */
 
@@ -20,14 +20,14 @@ const placed = ({ key, placement, display }) => ({ key, steps: stepsOf(placement
  */
 export function startCalculation(model, engine) {
   /** @param {unknown} error @param {Operand[]} operands of the call */
-  function keepError(error, operands) {
-    const { code, message, details } = error instanceof EngineError ? error : { code: 'INTERNAL_ERROR', message: String(error), details: {} };
+  function fail(error, operands) {
     const letter = (/** @type {number} */ i) => letterOf(model.positionOf(operands[i].key));
-    const i = details.operand ?? (operands.length === 1 ? 0 : -1);
-    const about = operands[i] === undefined ? '' : `${letter(i)} (${operands[i].name})`;
-    model.trouble = { code, message: message.replace(/\boperand (\d+)\b/g, (text, n) => (operands[n] === undefined ? text : letter(n))), details, about };
+    const trouble = troubleOf(error, '');
+    const i = trouble.details.operand ?? (operands.length === 1 ? 0 : -1);
+    if (operands[i] !== undefined) trouble.about = `${letter(i)} (${operands[i].name})`;
+    trouble.message = trouble.message.replace(/\boperand (\d+)\b/g, (text, n) => (operands[n] === undefined ? text : letter(n)));
     model.isOld = model.result !== undefined;
-    model.tell('trouble');
+    model.fail(trouble);
   }
 
   async function run() {
@@ -43,7 +43,7 @@ export function startCalculation(model, engine) {
       model.trouble = undefined;
       model.tell('result');
     } catch (error) {
-      keepError(error, operands);
+      fail(error, operands);
     }
     model.progress = 0;
     model.countBusy(-1);

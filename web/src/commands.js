@@ -21,30 +21,33 @@ function quoted(word) {
 /** @param {[string, number | readonly number[] | string]} entry */
 const option = ([name, value]) => `--${kebab(name)}=${[value].flat().join(',')}`;
 
-/** @param {Operand} operand @param {string} file */
-function makeLine({ source }, file) {
-  if (source.kind === 'file') return [];
-  return [['npx mortise make', kebab(source.shape), ...Object.entries(source.parameters).map(option), '-o', file].join(' ')];
+/** A name that is none of those taken: no file of the person is overwritten. @param {string} stem @param {string[]} taken */
+function freeName(stem, taken) {
+  let name = `${stem}.ply`;
+  for (let i = 2; taken.includes(name); ++i) name = `${stem}-${i}.ply`;
+  return name;
 }
 
 /**
  * The file of an operand where it is placed, and the lines that make it.
  * @param {Operand} operand
- * @param {number} position
+ * @param {string} letter
+ * @param {string[]} taken names of files
  */
-function operandLines(operand, position) {
-  const letter = letterOf(position).toLowerCase().replace('#', 'part-');
-  const original = operand.source.kind === 'file' ? quoted(operand.source.name) : `${letter}.ply`;
-  const lines = makeLine(operand, original);
-  const steps = stepsOf(operand.placement, operand.display.origin).flatMap((step) => Object.entries(step).map(option));
-  if (steps.length === 0) return { file: original, lines };
-  const file = `${letter}-placed.ply`;
-  return { file, lines: [...lines, ['npx mortise transform', original, ...steps, '-o', file].join(' ')] };
+function operandLines({ source, placement, display }, letter, taken) {
+  const original = source.kind === 'file' ? quoted(source.name) : freeName(letter, taken);
+  const made = source.kind === 'file' ? [] : [['npx mortise make', kebab(source.shape), ...Object.entries(source.parameters).map(option), '-o', original].join(' ')];
+  const steps = stepsOf(placement, display.origin).flatMap((step) => Object.entries(step).map(option));
+  if (steps.length === 0) return { file: original, lines: made };
+  const file = freeName(`${letter}-placed`, taken);
+  return { file, lines: [...made, ['npx mortise transform', original, ...steps, '-o', file].join(' ')] };
 }
 
 /** @param {Pick<import('./model.js').Model, 'operands' | 'choice'>} model */
 export function commandsOf({ operands, choice }) {
-  const made = operands.map(operandLines);
+  const taken = operands.map(({ source }) => (source.kind === 'file' ? source.name : ''));
+  const made = operands.map((operand, position) => operandLines(operand, letterOf(position).toLowerCase().replace('#', 'part-'), taken));
   const files = inOrder(choice, made).map(({ file }) => file);
-  return [...made.flatMap(({ lines }) => lines), ['npx mortise', choices[choice].operation, ...files, '-o', 'result.ply'].join(' ')];
+  const last = ['npx mortise', choices[choice].operation, ...files, '-o', freeName('result', taken)].join(' ');
+  return [...made.flatMap(({ lines }) => lines), last];
 }

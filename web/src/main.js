@@ -38,10 +38,10 @@ startTrouble(model);
 startTakeAway(model, engine);
 startShortcuts();
 startSheet();
+void operands.openSamples(); // the worker starts while the scene is made
 try {
   createScene(model, byId('canvas', HTMLCanvasElement));
 } catch (error) {
   byId('no-scene').hidden = false;
   console.error(error);
 }
-void operands.openSamples();

@@ -55,6 +55,11 @@ export function createModel() {
       this.chosen = position;
       this.tell('chosen');
     },
+    /** @param {import('./protocol.js').Trouble} trouble */
+    fail(trouble) {
+      this.trouble = trouble;
+      this.tell('trouble');
+    },
     /** @param {number} step 1 or -1 */
     countBusy(step) {
       this.busy += step;

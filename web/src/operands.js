@@ -3,9 +3,9 @@
 // Loading, replacing and removing operands.
 // @ts-check
 
-import { EngineError } from './engine.js';
 import { unmoved } from './placement.js';
 import { samples } from './samples.js';
+import { troubleOf } from './trouble.js';
 
 /** @typedef {import('./model.js').Model} Model */
 /** @typedef {import('./engine.js').Engine} Engine */
@@ -45,9 +45,7 @@ export function createOperands(model, engine) {
         loaded.push(await load({ kind: 'file', name: file.name, bytes: await file.arrayBuffer() }, unmoved()));
       } catch (error) {
         void engine.call('forget', { keys: loaded.map(({ key }) => key) });
-        const { code, message, details } = error instanceof EngineError ? error : { code: 'FILE_FAILED', message: String(error), details: {} };
-        model.trouble = { code, message, details, about: file.name };
-        model.tell('trouble');
+        model.fail(troubleOf(error, file.name));
         return undefined;
       }
     }
@@ -74,8 +72,7 @@ export function createOperands(model, engine) {
         setOperands(await Promise.all(samples.map(({ source, placement }) => load(source, structuredClone(placement)))), 1);
         model.tell('frame');
       } catch (error) {
-        model.trouble = { .../** @type {EngineError} */ (error), message: /** @type {Error} */ (error).message, about: 'the sample parts' };
-        model.tell('trouble');
+        model.fail(troubleOf(error, 'the sample parts'));
       }
       model.countBusy(-1);
     },

@@ -101,7 +101,7 @@ test(
     assert.equal(await dropFiles(page, [await sheet()]), 'trouble');
     const words = await page.innerText('#trouble');
     assert.match(words, /B \(sheet\.off\)/);
-    assert.match(words, /open edge/);
+    assert.match(words, /B is a sheet, not a solid: 10 open edges/);
     assert.match(words, /NOT_CLOSED/);
     assert.match(words, /10 edges are marked in the view/);
     assert.match(words, /last good result is kept/);

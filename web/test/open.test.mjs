@@ -20,6 +20,7 @@ useBrowser();
 test(
   'it opens with two sample parts united, computed in a worker',
   withPage(async (page, t) => {
+    t.diagnostic(`united ${Math.round(await page.evaluate(() => performance.now()))} ms after the address was entered`);
     assert.equal(await stateOf(page), 'done');
     assert.equal(await page.locator('#parts input').count(), 2);
     assert.equal(await page.getAttribute('button[data-choice=union]', 'aria-pressed'), 'true');
@@ -102,4 +103,15 @@ test('without its core it says so', async (t) => {
   await page.goto(address);
   assert.equal(await idle(page), 'trouble');
   assert.match(await page.textContent('#trouble'), /the sample parts.*HTTP 404/s);
+});
+
+test('without WebGL everything but the view works', async (t) => {
+  const page = await newPage(t);
+  await page.addInitScript(() => {
+    HTMLCanvasElement.prototype.getContext = () => null;
+  });
+  await page.goto(await plainServer(t));
+  assert.equal(await idle(page), 'done');
+  assert.equal(await page.isVisible('#no-scene'), true);
+  assert.ok((await reportOf(page)).Triangles > 1000);
 });

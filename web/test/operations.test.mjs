@@ -5,9 +5,11 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
-import { choose, download, idle, reportOf, setField, useBrowser, withPage } from './support/browser.mjs';
+import { make, writeMesh } from 'mortise';
+
+import { choose, download, dropFiles, idle, reportOf, setField, stateOf, useBrowser, withPage } from './support/browser.mjs';
 import { runCommands } from './support/command.mjs';
-import { areaOf } from './support/pixels.mjs';
+import { areaOf, coloursOf } from './support/pixels.mjs';
 
 const choices = ['union', 'intersect', 'first', 'second'];
 
@@ -130,6 +132,43 @@ test(
 );
 
 test(
+  'while a computation runs the last good result stays, and the moved part is shown',
+  withPage(async (page) => {
+    const before = await reportOf(page);
+    const seen = await page.locator('#canvas').screenshot();
+    const held = page.workers()[0].evaluate(() => {
+      for (const end = Date.now() + 5000; Date.now() < end; );
+    });
+    await page.fill('#move-z', '1.5');
+    const shot = await page.screenshot();
+    assert.notDeepEqual(await page.locator('#canvas').screenshot(), seen);
+    assert.deepEqual(await reportOf(page), before);
+    assert.equal(await stateOf(page), 'busy');
+    const colours = await coloursOf(page, shot, await areaOf(page, '#canvas'));
+    assert.ok(colours.blue > 100 && colours.orange > 300, JSON.stringify(colours));
+    await held;
+    assert.equal(await idle(page), 'done');
+    assert.notEqual((await reportOf(page)).Volume, before.Volume);
+  }),
+);
+
+test(
+  'a long computation shows its progress',
+  withPage(async (page) => {
+    await page.evaluate(() => {
+      const bar = document.getElementById('progress');
+      globalThis.fractions = [];
+      new MutationObserver(() => bar.hidden || globalThis.fractions.push(bar.value)).observe(bar, { attributes: true });
+    });
+    const bytes = await writeMesh(await make('icosphere', { levels: 7 }), { format: 'stl' });
+    assert.equal(await dropFiles(page, [{ name: 'fine.stl', bytes }]), 'done');
+    const fractions = await page.evaluate(() => globalThis.fractions);
+    assert.ok(fractions.length > 0 && fractions.every((x) => x > 0 && x <= 1), `${fractions}`);
+    assert.equal(await page.isVisible('#progress'), false);
+  }),
+);
+
+test(
   'a click on a part chooses it',
   withPage(async (page) => {
     const { x, y, width, height } = await areaOf(page, '#canvas');
@@ -139,5 +178,30 @@ test(
     assert.equal(await page.textContent('#placement-part'), 'A');
     await page.mouse.click(x + 0.3 * width, y + 0.45 * height);
     assert.equal(await page.isChecked('#parts input[value="1"]'), true);
+  }),
+);
+
+test(
+  'wireframe, intersection graph and faint parts are shown when wanted',
+  withPage(async (page) => {
+    await choose(page, 'intersect');
+    for (const name of ['wireframe', 'graph', 'ghosts']) {
+      const seen = await page.locator('#canvas').screenshot();
+      const was = await page.isChecked(`#show-${name}`);
+      await page.setChecked(`#show-${name}`, !was);
+      const other = await page.locator('#canvas').screenshot();
+      assert.notDeepEqual(other, seen, name);
+      await page.setChecked(`#show-${name}`, was);
+    }
+  }),
+);
+
+test(
+  'the command lines can be copied',
+  withPage(async (page) => {
+    await page.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await page.click('#copy');
+    await page.getByRole('button', { name: 'Copied' }).waitFor();
+    assert.equal(await page.evaluate(() => navigator.clipboard.readText()), await page.textContent('#commands'));
   }),
 );

@@ -27,10 +27,20 @@ test('dragged lengths are rounded to what the size of the part makes worth readi
   assert.equal(Object.is(roundTo(-0.00001, 2), 0), true);
 });
 
+const operand = (name, placement = unmoved()) => ({ source: { kind: 'file', name }, placement, display: { origin: [0, 0, 0] } });
+
 test('names of files are quoted for the shell', () => {
-  const operand = (name) => ({ source: { kind: 'file', name }, placement: unmoved(), display: { origin: [0, 0, 0] } });
   const operands = [operand('a.stl'), operand('-b.stl'), operand("it's $HOME.stl")];
   assert.deepEqual(commandsOf({ operands, choice: 'second' }), ["npx mortise subtract ./-b.stl a.stl 'it'\\''s $HOME.stl' -o result.ply"]);
+});
+
+test('command lines write over no file they read', () => {
+  const moved = { ...unmoved(), move: [1, 0, 0] };
+  const operands = [operand('a-placed.ply', moved), operand('result.ply')];
+  assert.deepEqual(commandsOf({ operands, choice: 'union' }), [
+    'npx mortise transform a-placed.ply --translate=1,0,0 -o a-placed-2.ply',
+    'npx mortise union a-placed-2.ply result.ply -o result-2.ply',
+  ]);
 });
 
 test('B − A takes the second operand first', () => {

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// One line about what is going on, drawn over the scene; results are also announced, but not while a part is dragged.
+// One line about what is going on, drawn over the scene. Results are also announced, but not while a part is dragged; troubles
+// announce themselves.
 // @ts-check
 
 import { titleOf } from '../choices.js';
@@ -11,9 +12,11 @@ import { count, duration, measure } from '../numbers.js';
 
 const announceAfter = 500;
 
+/** A computation shorter than this shows no progress. */
+const patience = 300;
+
 /** @param {Model} model */
-function sentence({ trouble, result, operands }) {
-  if (trouble !== undefined) return `${trouble.code}: ${trouble.message}`;
+function sentence({ result, operands }) {
   if (result === undefined) return 'Starting …';
   const { choice, report } = result;
   const volume = report.volume === null ? 'no volume' : `volume ${measure(report.volume, 5)}`;
@@ -30,20 +33,22 @@ export function startStatus(model) {
   const announcement = byId('announcement');
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
+  let idleSince = 0;
 
   function announce() {
     clearTimeout(timer);
     timer = setTimeout(() => {
-      if (!model.dragging && model.busy === 0) announcement.textContent = sentence(model);
+      if (!model.dragging && stateOf(model) === 'done') announcement.textContent = sentence(model);
     }, announceAfter);
   }
   function update() {
     const state = stateOf(model);
-    if (state !== 'busy') status.textContent = sentence(model);
+    if (state === 'done') status.textContent = sentence(model);
     status.dataset.state = state;
     status.dataset.choice = model.result?.choice ?? '';
     bar.value = model.progress;
-    bar.hidden = model.progress === 0;
+    if (model.progress === 0) idleSince = performance.now();
+    bar.hidden = performance.now() - idleSince < patience;
     byId('old').hidden = !model.isOld;
     announce();
   }

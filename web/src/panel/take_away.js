@@ -6,6 +6,7 @@
 import { commandsOf } from '../commands.js';
 import { byId } from '../dom.js';
 import { saveAs } from '../download.js';
+import { troubleOf } from '../trouble.js';
 
 /** @typedef {import('../model.js').Model} Model */
 /** @typedef {import('mortise').Format} Format */
@@ -21,7 +22,11 @@ function startDownload(model, engine) {
     if (model.result === undefined) return;
     const format = /** @type {Format} */ (select.value);
     const name = `${fileNames[model.result.choice]}.${format.replace('-ascii', '')}`;
-    saveAs(await engine.call('write', { format }), name);
+    try {
+      saveAs(await engine.call('write', { format }), name);
+    } catch (error) {
+      model.fail(troubleOf(error, name));
+    }
   });
   select.addEventListener('change', () => {
     byId('format-note').hidden = select.value !== 'stl';

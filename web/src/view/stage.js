@@ -25,7 +25,7 @@ function createRenderer(canvas) {
 function createSun() {
   const sun = new DirectionalLight(0xfff6ea, 2.1);
   sun.castShadow = true;
-  sun.shadow.mapSize.set(2048, 2048);
+  sun.shadow.mapSize.set(1024, 1024);
   sun.shadow.radius = 4;
   return sun;
 }
