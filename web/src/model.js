@@ -4,12 +4,30 @@
 // @ts-check
 
 /** @typedef {import('./protocol.js').Operand} Operand */
-/** @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown' | 'busy' | 'result' | 'trouble' | 'frame' | 'frameTrouble'} Topic */
+/**
+ * @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown'} Wish what the person does
+ * @typedef {Wish | 'busy' | 'result' | 'trouble' | 'frame' | 'frameTrouble'} Topic
+ */
 
-export function createModel() {
+/** Who listens to what. */
+function createTopics() {
   /** @type {Map<Topic, (() => void)[]>} */
   const listeners = new Map();
   return {
+    /** @param {Topic | Topic[]} topics @param {() => void} listener */
+    on(topics, listener) {
+      for (const topic of [topics].flat()) listeners.set(topic, [...(listeners.get(topic) ?? []), listener]);
+    },
+    /** @param {Topic} topic */
+    tell(topic) {
+      for (const listener of listeners.get(topic) ?? []) listener();
+    },
+  };
+}
+
+export function createModel() {
+  return {
+    ...createTopics(),
     /** @type {Operand[]} */
     operands: [],
     /** Position of the chosen operand. */
@@ -33,14 +51,6 @@ export function createModel() {
     /** @type {import('./protocol.js').Trouble | undefined} */
     trouble: undefined,
 
-    /** @param {Topic | Topic[]} topics @param {() => void} listener */
-    on(topics, listener) {
-      for (const topic of [topics].flat()) listeners.set(topic, [...(listeners.get(topic) ?? []), listener]);
-    },
-    /** @param {Topic} topic */
-    tell(topic) {
-      for (const listener of listeners.get(topic) ?? []) listener();
-    },
     /** @returns {Operand | undefined} */
     get chosenOperand() {
       return this.operands[this.chosen];

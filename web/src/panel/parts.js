@@ -28,7 +28,7 @@ export function startParts(model, operands) {
   model.on('operands', () => {
     const hadFocus = list.contains(document.activeElement);
     list.replaceChildren(...model.operands.map((_, position) => row(model, position)));
-    if (hadFocus) list.querySelector('input:checked') instanceof HTMLInputElement && /** @type {HTMLInputElement} */ (list.querySelector('input:checked')).focus();
+    if (hadFocus) list.querySelectorAll('input')[model.chosen]?.focus();
     remove.disabled = model.operands.length < 2;
   });
   model.on('chosen', () => {

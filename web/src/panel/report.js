@@ -45,7 +45,7 @@ function linesOf(report, milliseconds) {
     ['Genus', number(genus, genus === null ? 'none' : count(genus))],
     ['Intersection', `${plural(graph.closedLoops, 'loop')}${graph.openChains > 0 ? `, ${plural(graph.openChains, 'chain')}` : ''}`],
     ['Contact', contactText(contact)],
-    ['Time', make('span', { title: 'the call; and with placing, reading back and shading' }, `${duration(report.milliseconds)} (${duration(milliseconds)} in all)`)],
+    ['Time', make('span', { title: 'of the call; and with moving the parts and shading' }, `${duration(report.milliseconds)} (${duration(milliseconds)} in all)`)],
   ];
 }
 

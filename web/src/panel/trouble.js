@@ -19,11 +19,19 @@ const advice = {
   OUT_OF_RANGE: 'Coordinates this large do not fit. Use a smaller scale.',
 };
 
+/** @type {Record<string, string>} */
+const placeNames = { vertices: 'place', faces: 'face', vertexPairs: 'edge' };
+
+/** The core names this many places at most. */
+const mostPlaces = 1000;
+
 /** @param {import('../protocol.js').Trouble} trouble */
 function placesText({ details }) {
-  const places = details.places?.length ?? 0;
-  const kind = { vertices: 'place', faces: 'face', vertexPairs: 'edge' }[/** @type {'vertices'} */ (details.kind)] ?? 'place';
-  return places === 0 ? '' : `${places === 1000 ? `The first ${count(places)} ${kind}s are` : `${plural(places, kind)} ${places === 1 ? 'is' : 'are'}`} marked in the view.`;
+  const number = details.places?.length ?? 0;
+  const name = placeNames[details.kind ?? 'vertices'] ?? 'place';
+  if (number === 0) return '';
+  if (number === mostPlaces) return `The first ${count(number)} ${name}s are marked in the view.`;
+  return `${plural(number, name)} ${number === 1 ? 'is' : 'are'} marked in the view.`;
 }
 
 /** @param {import('../model.js').Model} model */

@@ -18,7 +18,9 @@ const rad = Math.PI / 180;
 
 /** @param {Operand} operand */
 function createGhost(operand) {
-  const material = new MeshStandardMaterial({ transparent: true, opacity: faint, depthWrite: false, roughness: 0.8, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 });
+  const seenThrough = { transparent: true, opacity: faint, depthWrite: false };
+  const behindResult = { polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
+  const material = new MeshStandardMaterial({ ...seenThrough, ...behindResult, roughness: 0.8 });
   const ghost = new Mesh(geometryOf(operand.display), [material]);
   ghost.rotation.order = 'ZYX';
   ghost.renderOrder = 1;

@@ -4,27 +4,17 @@
 // @ts-check
 
 import { Group, Mesh, MeshBasicMaterial, MeshStandardMaterial } from 'three';
-import { LineMaterial } from 'three/addons/lines/LineMaterial.js';
-import { LineSegments2 } from 'three/addons/lines/LineSegments2.js';
-import { LineSegmentsGeometry } from 'three/addons/lines/LineSegmentsGeometry.js';
 
+import { createGraphView } from './graph_view.js';
 import { geometryOf, placeAt } from './surface.js';
 import { colourOf, partColour } from './theme.js';
 
 /** How much of a result that is out of date is seen. */
 const oldOpacity = 0.3;
 
-const createFacetMaterial = () => new MeshStandardMaterial({ roughness: 0.55, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
-
-/** Lines in front of everything are faint, lines that are not hidden are strong. */
-function createGraph() {
-  const geometry = new LineSegmentsGeometry();
-  const strong = new LineMaterial({ linewidth: 3 });
-  const faint = new LineMaterial({ linewidth: 2, transparent: true, opacity: 0.3, depthTest: false });
-  const group = new Group();
-  group.add(new LineSegments2(geometry, faint), new LineSegments2(geometry, strong));
-  group.children.forEach((line, i) => (line.renderOrder = 2 - i));
-  return { group, materials: [strong, faint] };
+/** Pushed back a little, so that lines on the facets are in front of them. */
+function createFacetMaterial() {
+  return new MeshStandardMaterial({ roughness: 0.55, metalness: 0, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 });
 }
 
 /**
@@ -38,7 +28,7 @@ export function createResultView(model, stage) {
   const wires = new MeshBasicMaterial({ wireframe: true, transparent: true, opacity: 0.4 });
   const facets = new Mesh();
   const wireframe = new Mesh(facets.geometry, wires);
-  const graph = createGraph();
+  const graph = createGraphView();
   facets.castShadow = true;
   facets.receiveShadow = true;
   root.visible = false;
@@ -52,20 +42,9 @@ export function createResultView(model, stage) {
     facets.geometry = wireframe.geometry = geometryOf(result.display);
     while (materials.length < result.display.groups.length) materials.push(createFacetMaterial());
     facets.material = materials;
-    setSegments(result.graph);
+    graph.setSegments(result.graph);
     root.visible = true;
     paint();
-  }
-
-  /** @param {Float32Array} segments */
-  function setSegments(segments) {
-    const geometry = new LineSegmentsGeometry();
-    if (segments.length > 0) geometry.setPositions(segments);
-    for (const line of /** @type {LineSegments2[]} */ (graph.group.children)) {
-      line.geometry.dispose();
-      line.geometry = geometry;
-      line.visible = segments.length > 0;
-    }
   }
 
   function paint() {
@@ -76,7 +55,7 @@ export function createResultView(model, stage) {
       Object.assign(materials[i], { transparent: isOld, opacity: isOld ? oldOpacity : 1, needsUpdate: true });
     });
     wires.color.copy(colourOf('wire'));
-    for (const material of graph.materials) material.color.copy(colourOf('seam'));
+    graph.paint();
     wireframe.visible = model.shown.wireframe;
     graph.group.visible = model.shown.graph && !isOld;
     stage.invalidate();

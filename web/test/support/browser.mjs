@@ -24,7 +24,8 @@ export function useBrowser() {
   before(async () => {
     assert.ok(existsSync(`${root}/dist/index.html`), 'the page is not built: scripts/build-page');
     server = await preview({ root, logLevel: 'silent' });
-    browser = await chromium.launch({ executablePath: process.env.CHROMIUM ?? '/usr/bin/chromium', args: [...flags.split(' '), ...software.split(' ')] });
+    const executablePath = process.env.CHROMIUM ?? '/usr/bin/chromium';
+    browser = await chromium.launch({ executablePath, args: [...flags.split(' '), ...software.split(' ')] });
   });
   after(async () => {
     await browser?.close();
@@ -65,7 +66,7 @@ export async function newPage(t, options = {}) {
   return page;
 }
 
-/** The page with its two sample parts united. At the end of the test, `t.after` checks that nothing went wrong. */
+/** The page with its two sample parts united. */
 export async function openPage(t, options = {}) {
   const page = await newPage(t, options);
   await page.goto(server.resolvedUrls.local[0]);
