@@ -313,8 +313,8 @@ Solids solids_of(Family family, RandomSolids& random) {
 }
 
 /// Far away, where coordinates of the grid stay exact and others lose up to 20 bits.
-Vec3d far_offset(Family family, RandomSource& random) {
-  const double reach = family == Family::Grid ? random.octaves(0, 40) : random.octaves(0, 20);
+Vec3d far_offset(RandomSource& random) {
+  const double reach = random.octaves(0, 20);
   const Vec3d offset = random.point(-reach, reach);
   return {std::floor(offset.x), std::floor(offset.y), std::floor(offset.z)};
 }
@@ -332,7 +332,7 @@ RandomCase make_random_case(std::uint64_t seed, std::uint64_t number) {
   drawn.family = random_family(random);
   drawn.operands = solids_of(drawn.family, random);
   const bool can_move = drawn.family == Family::Grid || drawn.family == Family::Curved;
-  const Vec3d offset = can_move && random.once_in(5) ? far_offset(drawn.family, random) : Vec3d{};
+  const Vec3d offset = can_move && random.once_in(5) ? far_offset(random) : Vec3d{};
   const double scale = random.once_in(8) ? std::ldexp(1.0, static_cast<int>(random.below(601)) - 300) : 1;
   for (SurfaceMesh& mesh : drawn.operands) mesh = scaled(moved(std::move(mesh), offset), scale);
   return drawn;
