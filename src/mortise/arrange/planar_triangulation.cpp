@@ -40,11 +40,20 @@ bool is_clearly_in_circle(const std::array<double, 2>& a, const std::array<doubl
 PlanarTriangulation::PlanarTriangulation(const PointSet& points, Axis axis, std::span<const PointId> vertices,
                                          std::span<const std::uint64_t> lines)
     : points_(points), axis_(axis), vertices_(vertices), lines_(lines) {
-  const auto [u, v] = kept_coordinates(axis);
-  const Vec3d& origin = points.nearest(vertices[0]);
+  order_ = sweep_order();
+  take_shape();
+  cell_at_.assign(vertices.size(), none);
+  sweep();
+  constexpr std::size_t few_vertices = 24;
+  if (vertices.size() > few_vertices) improve();
+}
+
+void PlanarTriangulation::take_shape() {
+  const auto [u, v] = kept_coordinates(axis_);
+  const Vec3d& origin = points_.nearest(vertices_[order_[0]]);
   double size = 0;
-  for (const PointId p : vertices) {
-    const Vec3d offset = points.nearest(p) - origin;
+  for (const PointId p : vertices_) {
+    const Vec3d offset = points_.nearest(p) - origin;
     shape_.push_back({offset[u], offset[v]});
     size = std::max({size, std::fabs(offset[u]), std::fabs(offset[v])});
   }
@@ -54,10 +63,6 @@ PlanarTriangulation::PlanarTriangulation(const PointSet& points, Axis axis, std:
     x = std::ldexp(x, -exponent);
     y = std::ldexp(y, -exponent);
   }
-  cell_at_.assign(vertices.size(), none);
-  sweep();
-  constexpr std::size_t few_vertices = 24;
-  if (vertices.size() > few_vertices) improve();
 }
 
 Sign PlanarTriangulation::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const {
@@ -157,12 +162,11 @@ void PlanarTriangulation::add_outside(std::uint32_t previous, std::uint32_t p) {
 }
 
 void PlanarTriangulation::sweep() {
-  const std::vector<std::uint32_t> order = sweep_order();
-  hull_next_.assign(order.size(), none);
-  hull_previous_.assign(order.size(), none);
-  hull_side_.assign(order.size(), {none, 0});
-  const std::size_t apex = start_sweep(order);
-  for (std::size_t i = apex + 1; i < order.size(); ++i) add_outside(order[i - 1], order[i]);
+  hull_next_.assign(order_.size(), none);
+  hull_previous_.assign(order_.size(), none);
+  hull_side_.assign(order_.size(), {none, 0});
+  const std::size_t apex = start_sweep(order_);
+  for (std::size_t i = apex + 1; i < order_.size(); ++i) add_outside(order_[i - 1], order_[i]);
 }
 
 // ---- walking --------------------------------------------------------------------------------------------------------
@@ -351,6 +355,15 @@ void PlanarTriangulation::recover_edge(std::uint32_t a, std::uint32_t b) {
     if (turn(a, b, p) * turn(a, b, q) == Sign::Negative) queue.push_back({p, q});
   }
   fix(a, b);
+}
+
+void PlanarTriangulation::recover_edges(std::span<const std::array<std::uint32_t, 2>> segments) {
+  std::vector<std::uint32_t> place(order_.size());
+  for (std::uint32_t i = 0; i < order_.size(); ++i) place[order_[i]] = i;
+  std::vector<std::array<std::uint32_t, 2>> placed;
+  for (const auto& [a, b] : segments) placed.push_back({std::min(place[a], place[b]), std::max(place[a], place[b])});
+  std::sort(placed.begin(), placed.end());
+  for (const auto& [a, b] : placed) recover_edge(order_[a], order_[b]);
 }
 
 }  // namespace mortise

@@ -33,6 +33,9 @@ class PlanarTriangulation {
   /// Makes the segment from vertex a to vertex b an edge that stays; no vertex lies inside it and it crosses no such edge.
   void recover_edge(std::uint32_t a, std::uint32_t b);
 
+  /// The same for many segments, in an order that depends on where their ends are and not on their numbers.
+  void recover_edges(std::span<const std::array<std::uint32_t, 2>> segments);
+
   /// Swaps every edge that may go towards Delaunay.
   void improve();
 
@@ -46,8 +49,9 @@ class PlanarTriangulation {
   };
 
   [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  void sweep();
   [[nodiscard]] std::vector<std::uint32_t> sweep_order() const;
+  void take_shape();
+  void sweep();
   std::size_t start_sweep(const std::vector<std::uint32_t>& order);
   void add_outside(std::uint32_t previous, std::uint32_t p);
   void add_start_cells(const std::vector<std::uint32_t>& order, std::size_t apex, bool is_left);
@@ -68,6 +72,7 @@ class PlanarTriangulation {
   Axis axis_;
   std::span<const PointId> vertices_;
   std::span<const std::uint64_t> lines_;
+  std::vector<std::uint32_t> order_;          // of the sweep: vertices by their place in the plane
   std::vector<std::array<double, 2>> shape_;  // positions in doubles, for judging shape only
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> fixed_;

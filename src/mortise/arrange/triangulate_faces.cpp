@@ -31,7 +31,7 @@ class OverlayTriangulator {
     overlay_ = o;
     build_graph();
     PlanarTriangulation triangulation(faces_.points, overlays_.axis[o], graph_.points, graph_.lines);
-    for (const LocalEdge& e : graph_.edges) triangulation.recover_edge(e[0], e[1]);
+    triangulation.recover_edges(graph_.edges);
     triangulation.improve();
     const auto sources = overlays_.faces_of(o);
     if (sources.size() == 1) {
