@@ -5,30 +5,47 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 
 #include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
 
-struct ClosePair {
-  double distance;
-  VertexId a, b;  // a < b
+// Which vertex stays where two are merged: input vertices first, then by position. The order of operands decides nothing
+// unless two made vertices have the same doubles.
+class Precedence {
+ public:
+  Precedence(const OperandFaces& faces, const MergedMesh& merged) : faces_(faces), merged_(merged) {}
 
-  bool operator<(const ClosePair& other) const {
-    if (distance != other.distance) return distance < other.distance;
-    return a != other.a ? a < other.a : b < other.b;
+  [[nodiscard]] bool is_input(VertexId v) const { return faces_.points.is_input(merged_.point_of_vertex[v.index()]); }
+
+  [[nodiscard]] bool operator()(VertexId a, VertexId b) const {
+    if (is_input(a) != is_input(b)) return is_input(a);
+    const Vec3d& p = merged_.mesh.points[a.index()];
+    const Vec3d& q = merged_.mesh.points[b.index()];
+    return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
   }
+
+ private:
+  const OperandFaces& faces_;
+  const MergedMesh& merged_;
 };
 
-std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, std::span<const FailedPair> failed, double reach) {
+struct ClosePair {
+  double distance;
+  VertexId a, b;  // a precedes b
+};
+
+std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Precedence& precedes, std::span<const FailedPair> failed,
+                                        double reach) {
   std::vector<ClosePair> pairs;
   for (const FailedPair& f : failed) {
     std::vector<VertexId> corners;
     for (const FaceId t : {f.a, f.b}) {
       corners.insert(corners.end(), merged.mesh.triangles[t.index()].begin(), merged.mesh.triangles[t.index()].end());
     }
-    std::sort(corners.begin(), corners.end());
+    std::sort(corners.begin(), corners.end(), precedes);
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
@@ -37,23 +54,26 @@ std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, std::span<cons
       }
     }
   }
-  std::sort(pairs.begin(), pairs.end());
+  std::sort(pairs.begin(), pairs.end(), [&](const ClosePair& p, const ClosePair& q) {
+    if (p.distance != q.distance) return p.distance < q.distance;
+    return p.a != q.a ? precedes(p.a, q.a) : precedes(p.b, q.b);
+  });
   return pairs;
 }
 
-// The vertex that takes the place of each; input vertices come first and so have the lower numbers.
+// The vertex that takes the place of each.
 class Replacement {
  public:
-  Replacement(const OperandFaces& faces, const MergedMesh& merged) : faces_(faces), merged_(merged) {
-    for (std::size_t v = 0; v < merged.mesh.points.size(); ++v) of_.push_back(VertexId(v));
+  Replacement(const Precedence& precedes, std::size_t vertex_count) : precedes_(precedes) {
+    for (std::size_t v = 0; v < vertex_count; ++v) of_.push_back(VertexId(v));
   }
 
   bool merge(VertexId a, VertexId b) {
     a = find(a);
     b = find(b);
     if (a == b) return false;
-    if (b < a) std::swap(a, b);
-    if (faces_.points.is_input(merged_.point_of_vertex[b.index()])) return false;
+    if (precedes_(b, a)) std::swap(a, b);
+    if (precedes_.is_input(b)) return false;
     of_[b.index()] = a;
     return true;
   }
@@ -63,8 +83,7 @@ class Replacement {
   }
 
  private:
-  const OperandFaces& faces_;
-  const MergedMesh& merged_;
+  const Precedence& precedes_;
   std::vector<VertexId> of_;
 };
 
@@ -185,9 +204,10 @@ void drop_unused_vertices(MergedMesh& merged) {
 }  // namespace
 
 bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double reach, MergedMesh& merged) {
-  Replacement replacement(faces, merged);
+  const Precedence precedes(faces, merged);
+  Replacement replacement(precedes, merged.mesh.points.size());
   bool any = false;
-  for (const ClosePair& pair : find_close_pairs(merged, failed, reach)) any |= replacement.merge(pair.a, pair.b);
+  for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, reach)) any |= replacement.merge(pair.a, pair.b);
   if (!any) return false;
   replace_corners(replacement, merged);
   keep_triangles(merged, find_remaining(merged.mesh.triangles));

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
+#include <utility>
 
 #include "mortise/geom/length.h"
 
@@ -35,6 +37,7 @@ class SliverSwapper {
       for (std::size_t i = 0; i < 3; ++i) edges_.push_back({c[i], c[(i + 1) % 3], FaceId(t)});
     }
     std::sort(edges_.begin(), edges_.end());
+    sort_by_position(candidates_);
   }
 
   bool run() {
@@ -45,6 +48,23 @@ class SliverSwapper {
 
  private:
   [[nodiscard]] const Vec3d& position(VertexId v) const { return mesh_.points[v.index()]; }
+
+  // Swaps exclude one another: their order must not be that of the operands.
+  void sort_by_position(std::vector<FaceId>& triangles) const {
+    using Key = std::array<std::array<double, 3>, 3>;
+    std::vector<std::pair<Key, FaceId>> keyed;
+    for (const FaceId t : triangles) {
+      Key key;
+      for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3d& p = position(mesh_.triangles[t.index()][i]);
+        key[i] = {p.x, p.y, p.z};
+      }
+      std::sort(key.begin(), key.end());
+      keyed.emplace_back(key, t);
+    }
+    std::sort(keyed.begin(), keyed.end());
+    for (std::size_t i = 0; i < keyed.size(); ++i) triangles[i] = keyed[i].second;
+  }
 
   [[nodiscard]] std::span<const DirectedEdge> find(VertexId from, VertexId to) const {
     const auto begin = std::lower_bound(edges_.begin(), edges_.end(), DirectedEdge{from, to, FaceId(std::size_t{0})});
@@ -58,7 +78,13 @@ class SliverSwapper {
   [[nodiscard]] bool is_sliver(const Triangle& t, std::size_t& longest, double& height) const {
     std::array<double, 3> size{};
     for (std::size_t i = 0; i < 3; ++i) size[i] = length(position(t[(i + 1) % 3]) - position(t[i]));
-    longest = static_cast<std::size_t>(std::max_element(size.begin(), size.end()) - size.begin());
+    longest = 0;
+    for (std::size_t i = 1; i < 3; ++i) {
+      const Vec3d &p = position(t[i]), &q = position(t[longest]);
+      // Lengths that round alike are told apart by where they are, not by which corner comes first.
+      const bool is_before = std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+      if (size[i] > size[longest] || (size[i] == size[longest] && is_before)) longest = i;
+    }
     if (!(size[longest] > 0)) return false;
     height = height_over(position(t[longest]), position(t[(longest + 1) % 3]), position(t[(longest + 2) % 3]));
     return height <= reach_;

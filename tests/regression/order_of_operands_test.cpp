@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Results that once depended on the order of the operands: diagonals of rectangles, and repairs of what rounding folded.
+#include <algorithm>
+#include <array>
+
+#include "mortise/mesh/shapes.h"
+#include "support/boolean_checks.h"
+#include "support/boolean_scenes.h"
+#include "support/catch.h"
+
+using namespace mortise;
+using namespace mortise::test;
+
+namespace {
+
+using Place = std::array<double, 3>;
+
+/// The corners of every face, the smallest first, sorted.
+std::vector<std::array<Place, 3>> sorted_faces(const SurfaceMesh& mesh) {
+  std::vector<std::array<Place, 3>> faces;
+  for (const Triangle& t : mesh.triangles) {
+    std::array<Place, 3> face{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vec3d& p = mesh.points[t[i].index()];
+      face[i] = {p.x, p.y, p.z};
+    }
+    std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+    faces.push_back(face);
+  }
+  std::sort(faces.begin(), faces.end());
+  return faces;
+}
+
+}  // namespace
+
+TEST_CASE("diagonals of rectangles do not depend on the order of the operands") {
+  // A wedge across a U cuts a rectangle, of which both diagonals are as good.
+  const SurfaceMesh wedge = make_mesh({{1, 2, 3}, {1, 3, 1}, {1, 3, 3}, {4, 2, 3}, {4, 3, 1}, {4, 3, 3}},
+                                      {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}});
+  const std::vector<Vec2d> outline{{0, 0}, {6, 0}, {6, 3}, {3, 3}, {3, 2}, {2, 2}, {2, 3}, {0, 3}};
+  const SurfaceMesh u = moved(extrude(outline, 2), {0, 0, 1});
+  CHECK(sorted_faces(evaluate(Operation::Union, {wedge, u}).mesh) == sorted_faces(evaluate(Operation::Union, {u, wedge}).mesh));
+}
+
+TEST_CASE("repairs of a prism cut by itself moved by one ulp do not depend on the order of the operands") {
+  constexpr double half_less = 0.49999999999999994, one_less = 0.9999999999999999, one_more = 1.0000000000000002;
+  const SurfaceMesh plain = prism({{{0, 0.75}, {0.5, 0.25}, {1, 1}}}, 0.5, 1);
+  SurfaceMesh shaken = plain;
+  shaken.points = {{5e-324, 0.7499999999999999, half_less}, {0.5, 0.25000000000000006, 0.5},      {one_less, one_more, 0.5000000000000001},
+                   {0, 0.7500000000000001, one_more},       {0.5000000000000001, 0.25, one_more}, {one_more, 1, 1}};
+  for (const Operation operation : {Operation::Union, Operation::Intersect}) {
+    CHECK(sorted_faces(evaluate(operation, {plain, shaken}).mesh) == sorted_faces(evaluate(operation, {shaken, plain}).mesh));
+  }
+}
