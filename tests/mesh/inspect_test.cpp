@@ -29,6 +29,18 @@ TEST_CASE("A box is closed, oriented, manifold, of genus 0", "[mesh][inspect]") 
   CHECK(report.duplicate_faces == 0);
 }
 
+TEST_CASE("Without pairs only what comes from comparing them is left out", "[mesh][inspect]") {
+  const SurfaceMesh crossing = test::joined({test::box({0, 0, 0}, {1, 1, 1}), test::box({0.5, 0.25, 0.125}, {2, 2, 2})});
+  const MeshReport full = inspect(crossing), brief = inspect_without_pairs(crossing);
+  CHECK(full.self_intersections > 0);
+  CHECK(brief.self_intersections == 0);
+  CHECK(brief.volume == full.volume);
+  CHECK(brief.genus == full.genus);
+  CHECK(brief.components == full.components);
+  CHECK(brief.max_angle_deg == full.max_angle_deg);
+  CHECK(brief.triangles == 24);
+}
+
 TEST_CASE("A sheet is open, without genus and volume", "[mesh][inspect]") {
   const MeshReport report = inspect(make_grid_sheet(2, 3, 2, 3));
   CHECK_FALSE(report.closed);

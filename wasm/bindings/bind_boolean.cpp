@@ -99,14 +99,14 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   return object;
 }
 
-val evaluate(const std::string& operation, const val& meshes, const val& listener) {
+val evaluate(const std::string& operation, const val& meshes, const val& listener, bool search) {
   return answer([&] {
     const std::vector<SurfaceMesh> operands = operands_in(meshes);
     const BooleanResult result = evaluate_boolean(operation_from_name(operation), pointers_to(operands), options_in(listener));
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     const ResultRegions regions = find_result_regions(result);
-    object.set("report", boolean_report_out(operands, result, regions));
+    object.set("report", boolean_report_out(operands, result, regions, search ? Search::SelfIntersections : Search::Nothing));
     object.set("graph", graph_out(result.graph));
     object.set("provenance", provenance_out(result.provenance, regions));
     return object;

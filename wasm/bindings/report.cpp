@@ -37,8 +37,8 @@ val box_out(const Box3& box) {
 
 val angle_out(const MeshReport& report, double degrees) { return report.triangles == 0 ? val::null() : val(degrees); }
 
-/// The fields a mesh has by itself; the others as of a mesh no call made.
-val mesh_report_out(const MeshReport& report) {
+/// The fields a mesh has by itself.
+val mesh_report_out(const MeshReport& report, Search search) {
   val object = val::object();
   object.set("vertices", count_out(report.vertices));
   object.set("triangles", count_out(report.triangles));
@@ -54,7 +54,7 @@ val mesh_report_out(const MeshReport& report) {
   object.set("bbox", box_out(report.bbox));
   object.set("minAngleDeg", angle_out(report, report.min_angle_deg));
   object.set("maxAngleDeg", angle_out(report, report.max_angle_deg));
-  object.set("selfIntersections", count_out(report.self_intersections));
+  object.set("selfIntersections", search == Search::Nothing ? val::null() : count_out(report.self_intersections));
   return object;
 }
 
@@ -150,17 +150,17 @@ struct Account {
 };
 
 /// inspect(), with its time and notes added to the account.
-MeshReport inspect_into(const SurfaceMesh& mesh, Account& account) {
+MeshReport inspect_into(const SurfaceMesh& mesh, Search search, Account& account) {
   const Stopwatch watch;
-  MeshReport report = inspect(mesh);
+  MeshReport report = search == Search::Nothing ? inspect_without_pairs(mesh) : inspect(mesh);
   account.times.push_back({"inspect", watch.milliseconds()});
   for (std::string& note : mesh_notes(report)) account.notes.push_back(std::move(note));
   return report;
 }
 
 /// The fields in the order of the documentation.
-val report_out(const MeshReport& report, const Account& account) {
-  val object = mesh_report_out(report);
+val report_out(const MeshReport& report, Search search, const Account& account) {
+  val object = mesh_report_out(report, search);
   object.set("certified", account.certified);
   object.set("operands", account.operands);
   object.set("stages", list_out(account.times, stage_out));
@@ -180,12 +180,12 @@ val inspection_out(const SurfaceMesh& mesh) {
   const SurfaceMesh welded = weld(mesh).mesh;
   account.times.push_back({"weld", watch.milliseconds()});
   note_if(account.notes, mesh.points.size() - welded.points.size(), "vertices were welded to another of equal position");
-  const MeshReport report = inspect_into(welded, account);
+  const MeshReport report = inspect_into(welded, Search::SelfIntersections, account);
   account.certified = report.self_intersections == 0 && report.degenerate_faces == 0;
-  return report_out(report, account);
+  return report_out(report, Search::SelfIntersections, account);
 }
 
-val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result, const ResultRegions& regions) {
+val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result, const ResultRegions& regions, Search search) {
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;
   account.operands = operands_out(operands, result.report.self_contacts);
@@ -194,9 +194,10 @@ val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResul
   account.contact = result.report.contact;
   account.notes = result.report.notes;
   account.notes.push_back(certificate_note(result.report.certificate));
+  note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
   account.regions = regions.regions;
-  const MeshReport report = inspect_into(result.mesh, account);
-  return report_out(report, account);
+  const MeshReport report = inspect_into(result.mesh, search, account);
+  return report_out(report, search, account);
 }
 
 }  // namespace mortise::wasm

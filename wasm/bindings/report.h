@@ -16,8 +16,11 @@ namespace mortise::wasm {
 /// The report on one mesh, equal positions welded. `milliseconds` is left to the caller.
 [[nodiscard]] emscripten::val inspection_out(const SurfaceMesh& mesh);
 
+/// Whether the triangles of a result are searched for self-intersections; if not, the report says null.
+enum class Search { SelfIntersections, Nothing };
+
 /// The report on a boolean. `milliseconds` is left to the caller.
 [[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result,
-                                                 const ResultRegions& regions);
+                                                 const ResultRegions& regions, Search search);
 
 }  // namespace mortise::wasm

@@ -172,6 +172,15 @@ export function checkProgress({ onProgress, signal }) {
 }
 
 /**
+ * Is the result to be searched for self-intersections?
+ * @param {{ inspect?: unknown }} options
+ */
+export function checkInspect({ inspect = true }) {
+  if (typeof inspect !== 'boolean') throw invalidArgument(`inspect must be true or false, not ${describe(inspect)}`);
+  return inspect;
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation

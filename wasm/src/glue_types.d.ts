@@ -18,7 +18,12 @@ export interface CheckedMesh {
 }
 
 export interface Core {
-  evaluateBoolean(operation: string, operands: CheckedMesh[], listener: ((stage: string, fraction: number) => boolean) | undefined): Answer<BooleanResult>;
+  evaluateBoolean(
+    operation: string,
+    operands: CheckedMesh[],
+    listener: ((stage: string, fraction: number) => boolean) | undefined,
+    inspect: boolean,
+  ): Answer<BooleanResult>;
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;

@@ -73,8 +73,8 @@ export interface Report {
   /** In degrees; null when the mesh has no triangles. */
   minAngleDeg: number | null;
   maxAngleDeg: number | null;
-  /** Pairs of triangles that meet elsewhere than in what they share, found exactly. */
-  selfIntersections: number;
+  /** Pairs of triangles that meet elsewhere than in what they share, found exactly; null when not looked for (`inspect: false`). */
+  selfIntersections: number | null;
   /**
    * Of a boolean: the doubles of the result are proven to add no crossing to what the operands had.
    * Of `inspect`: there is no crossing and no triangle without area.
@@ -145,6 +145,11 @@ export interface BooleanOptions {
   onProgress?: (progress: { stage: string; fraction: number }) => boolean | void;
   /** Looked at before the call and whenever progress is reported. */
   signal?: AbortSignal;
+  /**
+   * Default true: the result is searched for self-intersections and triangles without area, which may take as long as the boolean itself.
+   * With false `report.selfIntersections` is null and `report.notes` do not speak of them; all else is the same, `certified` too.
+   */
+  inspect?: boolean;
 }
 
 /** Exactly one of the properties. */

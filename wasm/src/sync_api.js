@@ -3,7 +3,7 @@
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
 // @ts-check
 
-import { checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import { checkInspect, checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { placesOf } from './places.js';
@@ -128,11 +128,12 @@ function guardProgress(progress) {
 function evaluate(session, operation, args) {
   const { operands, options } = splitOperands(args, operation);
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
-  const checked = checkOptions(options, ['onProgress', 'signal']);
+  const checked = checkOptions(options, ['onProgress', 'signal', 'inspect']);
   const { report, state } = guardProgress(checkProgress(checked));
+  const inspect = checkInspect(checked);
   const begin = performance.now();
   try {
-    const result = ask(session, (core) => core.evaluateBoolean(operation, meshes, report), meshes);
+    const result = ask(session, (core) => core.evaluateBoolean(operation, meshes, report, inspect), meshes);
     result.report.milliseconds = performance.now() - begin;
     return result;
   } catch (error) {

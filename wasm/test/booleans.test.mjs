@@ -163,6 +163,48 @@ test('the report has exactly the documented fields, in their order', async () =>
   assert.ok(report.stages.some(({ stage }) => stage === 'find_contacts'));
 });
 
+/** A prism over a five-pointed star drawn in one line, whose walls cross each other, and a slanted wedge that cuts one of its tips off. */
+function selfCrossing() {
+  const outline = [[0, 10], [-6, -8], [9, 3], [-9, 3], [6, -8], [0, 0]];
+  const star = { positions: [0, 2].flatMap((z) => outline.flatMap(([x, y]) => [x, y, z])), triangles: [] };
+  for (let i = 0; i < 5; ++i) {
+    const j = (i + 1) % 5;
+    star.triangles.push(5, j, i, 11, 6 + i, 6 + j, i, j, 6 + j, i, 6 + j, 6 + i);
+  }
+  const wedge = { positions: [-3, 8.3, -3, 3, 8.7, -3, 0.1, 8.1, 9, 0.2, 15, 0.3], triangles: [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0] };
+  return [star, wedge];
+}
+
+test('without inspection self-intersections are not looked for, and nothing else is different', async () => {
+  const timeless = ({ mesh, graph, provenance, report: { milliseconds: _, stages, ...report } }) => {
+    return { mesh, graph, provenance, report, stages: stages.map(({ stage }) => stage) };
+  };
+  const scene = [cube(), cube(0.5, 0.25, 0.125)];
+  const full = timeless(await union(...scene));
+  assert.equal(full.report.selfIntersections, 0);
+  assert.deepEqual(timeless(await union(...scene, { inspect: true })), full);
+  assert.deepEqual(timeless(await union(scene, { inspect: false })), { ...full, report: { ...full.report, selfIntersections: null } });
+});
+
+test('what the result has of crossings is left out of the notes when not looked for', async () => {
+  const crossing = /^\d+ pairs of triangles (cross|overlap|touch)/;
+  const inspected = await subtract(...selfCrossing());
+  assert.ok(inspected.report.selfIntersections > 0);
+  const brief = await subtract(...selfCrossing(), { inspect: false });
+  assert.equal(brief.report.selfIntersections, null);
+  assert.ok(brief.report.notes.length < inspected.report.notes.length);
+  assert.deepEqual(brief.report.notes, inspected.report.notes.filter((note) => !crossing.test(note)));
+});
+
+test('crossings near the cut that an operand brought along are noted, others are not', async () => {
+  const inherited = /^\d+ crossings near the cut were brought along by an operand$/;
+  const { report } = await subtract(...selfCrossing());
+  assert.equal(report.certified, true, 'certified relative to what the operands had');
+  assert.equal(report.notes.filter((note) => inherited.test(note)).length, 1, report.notes.join());
+  const { report: clean } = await subtract(cube(), cube(0.5, 0.25, 0.125));
+  assert.deepEqual(clean.notes.filter((note) => inherited.test(note)), []);
+});
+
 test('load gives the same functions without promises, one core for all', async () => {
   const mortise = await load();
   assert.equal(await load(), mortise);

@@ -88,6 +88,7 @@ test('what is no mesh is refused with what to do instead', async () => {
     [() => union([cube()], 5), /options must be an object/],
     [() => union(cube(), { onProgress: 5 }), /onProgress must be a function/],
     [() => union(cube(), { signal: {} }), /signal must be an AbortSignal/],
+    [() => union(cube(), { inspect: 'brief' }), /inspect must be true or false, not the string "brief"/],
     [() => transform(cube(), { scale: 2 }), /array of steps/],
     [() => transform(cube(), [{ scale: 2, rotateX: 5 }]), /steps\[0\] must be/],
     [() => transform(cube(), [{ translate: [1, 2] }]), /steps\[0\] must be/],

@@ -45,13 +45,12 @@ void describe_pairs(const SurfaceMesh& mesh, MeshReport& report) {
 
 }  // namespace
 
-MeshReport inspect(const SurfaceMesh& mesh) {
+MeshReport inspect_without_pairs(const SurfaceMesh& mesh) {
   validate(mesh);
   MeshReport report;
   report.vertices = mesh.points.size();
   report.triangles = mesh.triangles.size();
   describe_topology(mesh, report);
-  describe_pairs(mesh, report);
   if (report.closed) report.volume = enclosed_volume(mesh);
   report.area = surface_area(mesh);
   report.bbox = bounding_box(mesh);
@@ -59,6 +58,12 @@ MeshReport inspect(const SurfaceMesh& mesh) {
   report.min_angle_deg = angles.min_deg;
   report.max_angle_deg = angles.max_deg;
   report.duplicate_faces = count_duplicate_faces(mesh);
+  return report;
+}
+
+MeshReport inspect(const SurfaceMesh& mesh) {
+  MeshReport report = inspect_without_pairs(mesh);
+  describe_pairs(mesh, report);
   return report;
 }
 

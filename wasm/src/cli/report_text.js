@@ -66,7 +66,7 @@ function meshLines(report) {
     ['box', extent(report.bbox)],
   ];
   if (report.minAngleDeg !== null && report.maxAngleDeg !== null) lines.push(['angles', `${short(report.minAngleDeg)} to ${short(report.maxAngleDeg)} degrees`]);
-  lines.push(['crossings', report.selfIntersections === 0 ? 'none' : plural(report.selfIntersections, 'pair')]);
+  if (report.selfIntersections !== null) lines.push(['crossings', report.selfIntersections === 0 ? 'none' : plural(report.selfIntersections, 'pair')]);
   return lines;
 }
 

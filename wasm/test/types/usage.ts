@@ -17,6 +17,9 @@ await union([box, soup], { signal: new AbortController().signal });
 await intersect(box, moved, { onProgress: ({ stage, fraction }) => stage.length > 0 && fraction < 1 });
 await subtract({ positions: [0, 0, 0], triangles: [] }, box, { onProgress: () => {} });
 
+const brief: BooleanResult = await union(box, moved, { inspect: false });
+const found: number | null = brief.report.selfIntersections;
+
 const operands: Uint32Array = pair.provenance.sourceOperand;
 const chains: Uint32Array[] = pair.graph.chains;
 const genus: number | null = pair.report.genus;
@@ -45,6 +48,8 @@ await make('teapot');
 await make('box', { radius: 1 });
 // @ts-expect-error no such option
 await union(box, moved, { onprogress: () => true });
+// @ts-expect-error yes or no
+await union(box, moved, { inspect: 'brief' });
 // @ts-expect-error no such format
 await writeMesh(box, { format: 'step' });
 // @ts-expect-error bytes need a format
@@ -54,4 +59,4 @@ await transform(box, [{ scale: 2, rotateX: 90 }]);
 // @ts-expect-error a promise is not a mesh
 await union(make('box'), box);
 
-console.log(operands, chains, genus, report.certified, nowBytes);
+console.log(operands, chains, genus, found, report.certified, nowBytes);
