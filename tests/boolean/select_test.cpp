@@ -17,13 +17,14 @@ using namespace mortise::test;
 
 namespace {
 
-constexpr Operation all_operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract};
+constexpr Operation all_operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract, Operation::SymmetricDifference};
 
 /// The operations by their definition.
 bool is_inside(Operation operation, const std::vector<int>& winding) {
   const auto inside = [](int w) { return w > 0; };
   if (operation == Operation::Union) return std::any_of(winding.begin(), winding.end(), inside);
   if (operation == Operation::Intersect) return std::all_of(winding.begin(), winding.end(), inside);
+  if (operation == Operation::SymmetricDifference) return std::count_if(winding.begin(), winding.end(), inside) % 2 == 1;
   return inside(winding[0]) && std::none_of(winding.begin() + 1, winding.end(), inside);
 }
 

@@ -18,7 +18,7 @@ using namespace mortise::test;
 
 namespace {
 
-constexpr Operation all_operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract};
+constexpr Operation all_operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract, Operation::SymmetricDifference};
 
 /// Runs check(solids, random) for many seeds; a failure names the seed.
 template <class Check>

@@ -277,6 +277,21 @@ Rational included_volume(std::span<const SurfaceMesh* const> operands, const Sur
   return sum;
 }
 
+/// Volume inside an odd number of operands: sum of (-2)^(n - 1) times the common volume, over all choices of n operands.
+Rational odd_volume(std::span<const SurfaceMesh* const> operands) {
+  Rational sum = 0;
+  for (std::size_t subset = 1; subset < (std::size_t{1} << operands.size()); ++subset) {
+    std::vector<const SurfaceMesh*> chosen;
+    for (std::size_t i = 0; i < operands.size(); ++i) {
+      if ((subset >> i & 1U) != 0) chosen.push_back(operands[i]);
+    }
+    int factor = 1;
+    for (std::size_t i = 1; i < chosen.size(); ++i) factor *= -2;
+    sum += factor * common_volume(chosen);
+  }
+  return sum;
+}
+
 // ---- made points ----
 
 void add_coplanar_crossings(const Facet& f, const Facet& g, std::vector<RationalPoint>& points) {
@@ -477,6 +492,7 @@ Rational boolean_volume(Operation operation, std::span<const SurfaceMesh* const>
   if (operands.size() > 6) throw std::invalid_argument("inclusion and exclusion of more than six operands");
   if (operation == Operation::Intersect) return common_volume(operands);
   if (operation == Operation::Union) return included_volume(operands, nullptr);
+  if (operation == Operation::SymmetricDifference) return odd_volume(operands);
   return volume(*operands[0]) - included_volume(operands.subspan(1), operands[0]);
 }
 

@@ -37,13 +37,6 @@ std::vector<std::string> words_of(const std::string& text) {
   return words;
 }
 
-Operation operation_named(const std::string& name) {
-  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
-    if (operation_name(operation) == name) return operation;
-  }
-  throw std::invalid_argument("no operation is called " + name);
-}
-
 std::vector<std::size_t> all_of(std::size_t count) {
   std::vector<std::size_t> order(count);
   for (std::size_t i = 0; i < count; ++i) order[i] = i;
@@ -53,7 +46,7 @@ std::vector<std::size_t> all_of(std::size_t count) {
 /// @param text  "subtract B A"
 Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
   const std::vector<std::string> words = words_of(text);
-  Evaluation evaluation{words.at(0), operation_named(words[0]), {}, "", "", "", ""};
+  Evaluation evaluation{words.at(0), operation_from_name(words[0]), {}, "", "", "", ""};
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto operand = static_cast<std::size_t>(words[i].at(0) - 'A');
     if (words[i].size() != 1 || operand >= operand_count) throw std::invalid_argument("no operand " + words[i]);

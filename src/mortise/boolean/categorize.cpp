@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
-#include "mortise/base/bits.h"
 #include "mortise/base/error.h"
 
 namespace mortise {
@@ -38,20 +38,23 @@ RegionArcs collect_arcs(const Patches& patches) {
 class RegionWalk {
  public:
   RegionWalk(const OperandFaces& faces, const Facets& facets, const Patches& patches)
-      : patches_(patches), arcs_(collect_arcs(patches)), visited_(patches.region_count, 0) {
+      : patches_(patches),
+        arcs_(collect_arcs(patches)),
+        visited_(patches.region_count, 0),
+        winding_(std::vector<int>(faces.operand_count(), 0)) {
     for (const FacetId f : patches.first_facet) jumps_.push_back(jumps_of(faces, facets, f));
   }
 
   template <class Visit>
   void walk_from(const Seed& seed, Visit visit) {
-    RunningWinding winding(seed.winding);
+    winding_.change_to(seed.winding);
     std::vector<Step> path{{seed.outside, PatchId(), arcs_.first[seed.outside.index()]}};
     visited_[seed.outside.index()] = 1;
-    visit(seed.outside, winding);
+    visit_next(seed.outside, visit);
     while (!path.empty()) {
       Step& step = path.back();
       if (step.next_arc == arcs_.first[step.region.index() + 1]) {
-        if (step.entered_by.is_valid()) cross(step.entered_by, step.region, winding);
+        if (step.entered_by.is_valid()) cross(step.entered_by, step.region);
         path.pop_back();
         continue;
       }
@@ -59,9 +62,9 @@ class RegionWalk {
       const RegionId from = step.region;
       const RegionId to = patches_.front[patch] == from ? patches_.back[patch] : patches_.front[patch];
       if (visited_[to.index()] != 0) continue;
-      cross(patch, from, winding);
+      cross(patch, from);
       visited_[to.index()] = 1;
-      visit(to, winding);
+      visit_next(to, visit);
       path.push_back({to, patch, arcs_.first[to.index()]});
     }
   }
@@ -73,15 +76,22 @@ class RegionWalk {
     std::uint32_t next_arc;
   };
 
-  void cross(PatchId patch, RegionId from, RunningWinding& winding) const {
+  void cross(PatchId patch, RegionId from) {
     const int sense = patches_.front[patch] == from ? 1 : -1;
-    for (const Jump& j : jumps_[patch]) winding.change(j.operand, sense * j.change);
+    for (const Jump& j : jumps_[patch]) winding_.change(j.operand, sense * j.change);
+  }
+
+  template <class Visit>
+  void visit_next(RegionId region, Visit visit) {
+    visit(region, std::as_const(winding_));
+    winding_.forget_crossed();
   }
 
   const Patches& patches_;
   RegionArcs arcs_;
   IdVector<PatchId, std::vector<Jump>> jumps_;
   std::vector<std::uint8_t> visited_;
+  RunningWinding winding_;  // after a walk: of its seed
 };
 
 // The windings each operand takes anywhere.
@@ -157,25 +167,6 @@ void judge_operands(const OperandFaces& faces, const Facets& facets, Categories&
 }
 
 }  // namespace
-
-RunningWinding::RunningWinding(std::vector<int> winding) : winding_(std::move(winding)) {
-  for (std::size_t k = 0; k < winding_.size(); ++k) {
-    inside_count_ += winding_[k] > 0 ? 1 : 0;
-    digest_ += digest_of_change(OperandId(k), winding_[k]);
-  }
-}
-
-std::uint64_t RunningWinding::digest_of_change(OperandId k, int by) {
-  return mixed_bits(k.value) * static_cast<std::uint64_t>(std::int64_t{by});
-}
-
-void RunningWinding::change(OperandId k, int by) {
-  int& w = winding_[k.index()];
-  inside_count_ -= w > 0 ? 1 : 0;
-  w += by;
-  digest_ += digest_of_change(k, by);
-  inside_count_ += w > 0 ? 1 : 0;
-}
 
 Categories categorize(const OperandFaces& faces, const FaceIntersectionMap& map, const Facets& facets) {
   Categories categories;

@@ -8,32 +8,10 @@
 #include <vector>
 
 #include "mortise/boolean/patches.h"
+#include "mortise/boolean/running_winding.h"
 #include "mortise/boolean/seeds.h"
 
 namespace mortise {
-
-/// Winding numbers of one region, of all operands; positive is inside.
-class RunningWinding {
- public:
-  explicit RunningWinding(std::vector<int> winding);
-
-  [[nodiscard]] int of(OperandId k) const { return winding_[k.index()]; }
-  [[nodiscard]] bool is_inside(OperandId k) const { return winding_[k.index()] > 0; }
-  [[nodiscard]] std::size_t inside_count() const { return inside_count_; }
-  [[nodiscard]] std::size_t operand_count() const { return winding_.size(); }
-
-  /// 64 bits of all windings: equal windings have equal digests.
-  [[nodiscard]] std::uint64_t digest() const { return digest_; }
-  /// By how much a change adds to the digest, modulo 2^64.
-  [[nodiscard]] static std::uint64_t digest_of_change(OperandId k, int by);
-
-  void change(OperandId k, int by);
-
- private:
-  std::vector<int> winding_;
-  std::size_t inside_count_ = 0;
-  std::uint64_t digest_ = 0;
-};
 
 struct Categories {
   Patches patches;

@@ -10,13 +10,11 @@
 #include "mortise/arrange/triangulate_faces.h"
 #include "mortise/base/stopwatch.h"
 #include "mortise/boolean/categorize.h"
-#include "mortise/boolean/certify.h"
+#include "mortise/boolean/certify_or_repair.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
-#include "mortise/boolean/merge_close_vertices.h"
 #include "mortise/boolean/refuse_operands.h"
 #include "mortise/boolean/select.h"
-#include "mortise/boolean/swap_slivers.h"
 
 namespace mortise {
 namespace {
@@ -77,22 +75,6 @@ Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& opti
   return result;
 }
 
-// Certifies the doubles of a result; repairs what rounding folded as long as there is something to repair.
-Certificate certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh& merged, const ProgressCallback& progress) {
-  Box3 box;
-  for (const Vec3d& p : merged.mesh.points) box.extend(p);
-  constexpr double finest_grid = 0x1p-46;  // of snap rounding, for a box of size one
-  const Vec3d reach_along = finest_grid * box.hi - finest_grid * box.lo;
-  const double reach = std::max({reach_along.x, reach_along.y, reach_along.z});
-  constexpr int most_rounds = 8;
-  CertifiedMesh certified = certify(faces, facets, merged, progress);
-  for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
-    if (!merge_close_vertices(faces, certified.failed, reach, merged) && !swap_slivers(certified.failed, reach, merged)) break;
-    certified = certify(faces, facets, merged, progress);
-  }
-  return certified.certificate;
-}
-
 }  // namespace
 
 BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
@@ -110,11 +92,13 @@ BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh*
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
   });
-  report.certificate = timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, merged, options.progress); });
+  RoundedResult rounded =
+      timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
+  report.certificate = std::move(rounded.certified.certificate);
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
   report.self_contacts = arrangement.self_contacts;
-  result.mesh = std::move(merged.mesh);
-  result.provenance = std::move(merged.provenance);
+  result.mesh = std::move(rounded.merged.mesh);
+  result.provenance = std::move(rounded.merged.provenance);
   report_progress(options.progress, "certify", 1);
   return result;
 }
@@ -129,6 +113,10 @@ BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const Boolea
 
 BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
   return evaluate_boolean(Operation::Subtract, std::array{&a, &b}, options);
+}
+
+BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::SymmetricDifference, std::array{&a, &b}, options);
 }
 
 }  // namespace mortise

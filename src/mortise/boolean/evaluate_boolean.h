@@ -17,7 +17,7 @@ struct BooleanOptions {
   std::uint64_t contact_memory = std::uint64_t{1} << 31;  ///< bytes the candidate pairs may take
 };
 
-/// The union, the intersection, or the first operand minus all others.
+/// The union, the intersection, the first operand minus all others, or what lies in an odd number of operands.
 ///
 /// Operands are solids: closed, oriented outwards, in any number (one resolves itself); vertices need not be shared. They
 /// may touch, coincide, contain one another, have cavities and cross themselves. A point is inside an operand where its
@@ -31,5 +31,6 @@ struct BooleanOptions {
 [[nodiscard]] BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 [[nodiscard]] BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 [[nodiscard]] BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 
 }  // namespace mortise

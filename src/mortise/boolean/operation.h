@@ -9,12 +9,17 @@
 namespace mortise {
 
 enum class Operation : std::uint8_t {
-  Union,      ///< inside any operand
-  Intersect,  ///< inside all operands
-  Subtract,   ///< inside the first operand and no other
+  Union,                ///< inside any operand
+  Intersect,            ///< inside all operands
+  Subtract,             ///< inside the first operand and no other
+  SymmetricDifference,  ///< inside an odd number of operands
 };
 
-/// "union", "intersect", "subtract".
+/// "union", "intersect", "subtract", "symmetric_difference".
 [[nodiscard]] std::string_view operation_name(Operation operation);
+
+/// The operation of that name.
+/// @throws Error{InvalidArgument}
+[[nodiscard]] Operation operation_from_name(std::string_view name);
 
 }  // namespace mortise

@@ -1,23 +1,11 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// One table of predicates, one rule.
+// A facet stays where the rule differs on its sides.
 #include "mortise/boolean/select.h"
 
 #include <algorithm>
 
 namespace mortise {
-
-std::string_view operation_name(Operation operation) {
-  switch (operation) {
-    case Operation::Union:
-      return "union";
-    case Operation::Intersect:
-      return "intersect";
-    case Operation::Subtract:
-      return "subtract";
-  }
-  return "";
-}
 
 bool is_inside_result(Operation operation, const RunningWinding& winding) {
   switch (operation) {
@@ -27,6 +15,8 @@ bool is_inside_result(Operation operation, const RunningWinding& winding) {
       return winding.inside_count() == winding.operand_count();
     case Operation::Subtract:
       return winding.inside_count() == 1 && winding.is_inside(OperandId(0));
+    case Operation::SymmetricDifference:
+      return winding.inside_count() % 2 == 1;
   }
   return false;
 }
@@ -61,13 +51,13 @@ std::vector<OperandId> operands_inside(const RunningWinding& winding) {
 
 }  // namespace
 
-Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+Selection select(const InsideRule& is_inside, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
   const Patches& patches = categories.patches;
   Selection selection;
   selection.operands_inside.resize(patches.region_count);
   IdVector<RegionId, RegionNote> notes(patches.region_count);
   walk_regions(faces, facets, categories, [&](RegionId r, const RunningWinding& w) {
-    notes[r] = {is_inside_result(operation, w), static_cast<std::uint32_t>(w.inside_count())};
+    notes[r] = {is_inside(w), static_cast<std::uint32_t>(w.inside_count())};
     if (notes[r].is_inside) selection.operands_inside[r] = operands_inside(w);
   });
   for (std::size_t i = 0; i < facets.size(); ++i) {
@@ -80,6 +70,10 @@ Selection select(Operation operation, const OperandFaces& faces, const Facets& f
         {f, notes[front].is_inside, category_of(faces, facets.sources_of(f), others), notes[front].is_inside ? front : back});
   }
   return selection;
+}
+
+Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  return select([operation](const RunningWinding& w) { return is_inside_result(operation, w); }, faces, facets, categories);
 }
 
 }  // namespace mortise

@@ -3,6 +3,7 @@
 // Step 11 of the paper: an operation is a predicate on "inside operand k"; a facet stays where it differs on the two sides.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mortise/boolean/categorize.h"
@@ -27,8 +28,12 @@ struct Selection {
 /// Does a region with these windings belong to the result?
 [[nodiscard]] bool is_inside_result(Operation operation, const RunningWinding& winding);
 
+/// Does a region with these windings belong to the result? A walk asks once for every region.
+using InsideRule = std::function<bool(const RunningWinding&)>;
+
 /// The facets of the result (paper 6.2, Fig. 16: the tags 10, 11, 20, 21 are names for the four cases of n = 2).
 /// O(facets + regions).
+[[nodiscard]] Selection select(const InsideRule& is_inside, const OperandFaces& faces, const Facets& facets, const Categories& categories);
 [[nodiscard]] Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories);
 
 }  // namespace mortise
