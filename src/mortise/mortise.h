@@ -13,6 +13,7 @@
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/shapes.h"
+#include "mortise/mesh/split_parts.h"
 #include "mortise/mesh/surface_mesh.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/transform.h"

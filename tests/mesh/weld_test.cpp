@@ -21,6 +21,8 @@ TEST_CASE("Equal positions become one vertex, in order of first appearance", "[m
   CHECK(test::has_same_bits(welded.mesh, test::make_mesh({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}}, {{0, 1, 2}, {1, 3, 2}})));
   const std::vector<VertexId> expected{VertexId(0), VertexId(1), VertexId(2), VertexId(1), VertexId(3), VertexId(2)};
   CHECK(welded.new_vertex == expected);
+  const std::vector<VertexId> first{VertexId(0), VertexId(1), VertexId(2), VertexId(4)};
+  CHECK(welded.old_vertex == first);
 }
 
 TEST_CASE("-0 equals +0 and the first one's bits are kept", "[mesh][weld]") {

@@ -60,7 +60,11 @@ WeldedMesh weld(const SurfaceMesh& mesh) {
   WeldedMesh welded;
   PositionTable table(mesh.points.size());
   welded.new_vertex.reserve(mesh.points.size());
-  for (const Vec3d& p : mesh.points) welded.new_vertex.push_back(table.id_of(p));
+  for (const Vec3d& p : mesh.points) {
+    const VertexId v = table.id_of(p);
+    if (v.index() == welded.old_vertex.size()) welded.old_vertex.push_back(VertexId(welded.new_vertex.size()));
+    welded.new_vertex.push_back(v);
+  }
   welded.mesh = {table.take_positions(), mesh.triangles, mesh.face_labels, mesh.label_names};
   for (Triangle& triangle : welded.mesh.triangles) {
     for (VertexId& vertex : triangle) vertex = welded.new_vertex[vertex.index()];

@@ -12,6 +12,7 @@ namespace mortise {
 struct WeldedMesh {
   SurfaceMesh mesh;
   std::vector<VertexId> new_vertex;  ///< per old vertex: its vertex in `mesh`
+  std::vector<VertexId> old_vertex;  ///< per vertex of `mesh`: the lowest old one at its position
 };
 
 /// The mesh with one vertex per position: -0 equals +0, the lowest vertex's bits and order are kept.
