@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// The worker as seen from the page: calls are promises.
+// The worker as seen from the page: calls are promises. A busy worker hears nothing, so cancelling stops it and starts another one from
+// the code the first one compiled. What a call needs comes with it: the new worker has no memory of the old one.
 // @ts-check
 
 /** @typedef {import('./protocol.js').Calls} Calls */
 /** @typedef {import('./protocol.js').Progress} Progress */
+/** @typedef {import('./protocol.js').Request} Request */
 
 /** An error of the worker. */
 export class EngineError extends Error {
@@ -18,47 +20,85 @@ export class EngineError extends Error {
 
 /**
  * @typedef {object} Waiting
+ * @property {Request} request
  * @property {(value: any) => void} resolve
  * @property {(error: EngineError) => void} reject
  * @property {(progress: Progress) => void} [onProgress]
  */
 
+/** What the person waits for. The others are short, and asked of the next worker again. @type {(keyof Calls)[]} */
+const cancellable = ['start', 'load', 'evaluate'];
+
 /** Starts the worker. */
 export function startEngine() {
-  const worker = new Worker(new URL('./worker/main.js', import.meta.url), { type: 'module' });
   /** @type {Map<number, Waiting>} */
   const waiting = new Map();
+  /** @type {WebAssembly.Module | undefined} */
+  let wasmModule;
   let lastId = 0;
+  let worker = startWorker();
+
+  function startWorker() {
+    const started = new Worker(new URL('./worker/main.js', import.meta.url), { type: 'module' });
+    started.onmessage = receive;
+    started.onerror = ({ message }) => rejectAll({ code: 'INTERNAL_ERROR', message: `the worker stopped: ${message ?? 'it could not be loaded'}`, details: {} });
+    return started;
+  }
 
   /** @param {MessageEvent<import('./protocol.js').Answer>} event */
-  worker.onmessage = ({ data }) => {
+  function receive({ data }) {
     const call = waiting.get(data.id);
     if ('progress' in data) return call?.onProgress?.(data.progress);
     waiting.delete(data.id);
     if ('error' in data) return call?.reject(new EngineError(data.error));
     return call?.resolve(data.value);
-  };
-  worker.onerror = (event) => {
-    const error = new EngineError({ code: 'INTERNAL_ERROR', message: `the worker stopped: ${event.message ?? 'it could not be loaded'}`, details: {} });
-    for (const call of waiting.values()) call.reject(error);
-    waiting.clear();
-  };
+  }
+
+  /** @param {import('./protocol.js').PlainError} error @param {(name: keyof Calls) => boolean} [concerns] */
+  function rejectAll(error, concerns = () => true) {
+    for (const [id, { request, reject }] of waiting) {
+      if (!concerns(request.name)) continue;
+      waiting.delete(id);
+      reject(new EngineError(error));
+    }
+  }
+
+  /** The code is kept for the next worker. A core that cannot be had is reported by the calls that need it. */
+  function handOverCore() {
+    call('start', { wasmModule }).then(
+      (compiled) => (wasmModule = compiled),
+      () => {},
+    );
+  }
 
   /**
    * @template {keyof Calls} Name
    * @param {Name} name
    * @param {Calls[Name][0]} args
-   * @param {{ transfer?: ArrayBuffer[], onProgress?: (progress: Progress) => void }} [options]
+   * @param {{ onProgress?: (progress: Progress) => void }} [options]
    * @returns {Promise<Calls[Name][1]>}
    */
-  function call(name, args, { transfer = [], onProgress } = {}) {
-    const id = ++lastId;
+  function call(name, args, { onProgress } = {}) {
+    const request = { id: ++lastId, name, args };
     return new Promise((resolve, reject) => {
-      waiting.set(id, { resolve, reject, onProgress });
-      worker.postMessage({ id, name, args }, transfer);
+      waiting.set(request.id, { request, resolve, reject, onProgress });
+      worker.postMessage(request);
     });
   }
-  return { call };
+
+  /** Whatever is being read or computed is rejected as CANCELLED, at once. */
+  function cancel() {
+    worker.onmessage = worker.onerror = null;
+    worker.terminate();
+    rejectAll({ code: 'CANCELLED', message: 'cancelled', details: {} }, (name) => cancellable.includes(name));
+    worker = startWorker();
+    const kept = [...waiting.values()];
+    handOverCore();
+    for (const { request } of kept) worker.postMessage(request);
+  }
+
+  handOverCore();
+  return { call, cancel };
 }
 
 /** @typedef {ReturnType<typeof startEngine>} Engine */

@@ -18,9 +18,8 @@ let lastKey = 0;
  */
 export async function loadOperand(engine, source, placement = unmoved()) {
   const key = ++lastKey;
-  const { kind, name } = source;
-  const loaded = await engine.call('load', { key, source }, { transfer: kind === 'file' ? [source.bytes] : [] });
-  return { ...loaded, key, name, source: kind === 'file' ? { kind, name } : source, placement };
+  const loaded = await engine.call('load', { key, source });
+  return { ...loaded, key, name: source.name, source, placement };
 }
 
 /** @param {Engine} engine @param {Operand[]} operands */
@@ -32,15 +31,16 @@ export function forgetOperands(engine, operands) {
  * Reads one file after the other; at the first bad one `fail` is called and nothing is kept.
  * @param {Engine} engine
  * @param {File[]} files
- * @param {(error: unknown, file: File) => void} fail
+ * @param {{ begin: (file: File) => void, fail: (error: unknown, file: File) => void }} listener
  * @returns {Promise<Operand[]>} empty after a failure
  */
-export async function readOperands(engine, files, fail) {
+export async function readOperands(engine, files, { begin, fail }) {
   /** @type {Operand[]} */
   const loaded = [];
   for (const file of files) {
+    begin(file);
     try {
-      loaded.push(await loadOperand(engine, { kind: 'file', name: file.name, bytes: await file.arrayBuffer() }));
+      loaded.push(await loadOperand(engine, { kind: 'file', name: file.name, file }));
     } catch (error) {
       fail(error, file);
       forgetOperands(engine, loaded);

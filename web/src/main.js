@@ -21,6 +21,7 @@ import { startStatus } from './panel/status.js';
 import { startTakeAway } from './panel/take_away.js';
 import { startToolbar } from './panel/toolbar.js';
 import { startTrouble } from './panel/trouble.js';
+import { startWork } from './panel/work.js';
 import { createScene } from './view/scene.js';
 
 const model = createModel();
@@ -28,12 +29,14 @@ const engine = startEngine();
 const operands = createOperands(model, engine);
 
 startCalculation(model, engine);
+model.on('cancel', engine.cancel);
 startToolbar(model);
 startParts(model, operands);
 startFiles(operands);
 startPlacementFields(model);
 startReport(model);
 startStatus(model);
+startWork(model);
 startTrouble(model);
 startTakeAway(model, engine);
 startShortcuts();

@@ -5,7 +5,7 @@
 
 /** @typedef {import('./protocol.js').Operand} Operand */
 /**
- * @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown'} Wish what the person does
+ * @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown' | 'cancel' | 'again'} Wish what the person does
  * @typedef {Wish | 'busy' | 'result' | 'trouble' | 'frame' | 'frameTrouble'} Topic
  */
 
@@ -40,10 +40,12 @@ export function createModel() {
     mode: 'translate',
     /** @type {import('./protocol.js').Shown} */
     shown: { wireframe: false, graph: true, ghosts: true },
-    /** Calls under way. */
+    /** Things under way. */
     busy: 0,
-    /** 0 to 1, of the boolean under way. */
-    progress: 0,
+    /** The last one that was begun or got on. @type {import('./protocol.js').Work} */
+    work: { title: '', fraction: undefined, since: 0 },
+    /** What was under way last was cancelled. */
+    cancelled: false,
     /** @type {import('./protocol.js').Result | undefined} */
     result: undefined,
     /** The operands changed since, and there is no newer result. */
@@ -65,15 +67,32 @@ export function createModel() {
       this.chosen = position;
       this.tell('chosen');
     },
-    /** @param {import('./protocol.js').Trouble} trouble */
+    /** @param {import('./protocol.js').Trouble | undefined} trouble undefined: there is none, but no result either */
     fail(trouble) {
       this.trouble = trouble;
       this.tell('trouble');
     },
     /** @param {number} step 1 or -1 */
     countBusy(step) {
+      if (this.busy === 0) this.cancelled = false;
       this.busy += step;
       this.tell('busy');
+    },
+    /** @param {string} title */
+    begin(title) {
+      this.work = { title, fraction: undefined, since: performance.now() };
+      this.tell('busy');
+    },
+    /** @param {string} title @param {number} fraction */
+    advance(title, fraction) {
+      this.work = { ...this.work, title, fraction };
+      this.tell('busy');
+    },
+    /** Stops whatever is under way. */
+    cancel() {
+      if (this.busy === 0) return;
+      this.cancelled = true;
+      this.tell('cancel');
     },
   };
 }

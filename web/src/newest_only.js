@@ -5,19 +5,28 @@
 
 /**
  * @param {() => Promise<void>} run looks at the state of the moment; does not throw
- * @returns {() => void} asks for a run
+ * @param {(step: 1 | -1) => void} [countBusy] called before the first and after the last of a row of runs
  */
-export function newestOnly(run) {
+export function newestOnly(run, countBusy = () => {}) {
   let running = false;
   let wanted = false;
-  return async () => {
-    wanted = true;
-    if (running) return;
-    running = true;
-    while (wanted) {
+  return {
+    /** Asks for a run. */
+    async ask() {
+      wanted = true;
+      if (running) return;
+      running = true;
+      countBusy(1);
+      while (wanted) {
+        wanted = false;
+        await run();
+      }
+      running = false;
+      countBusy(-1);
+    },
+    /** Nothing more is wanted after the job that runs. */
+    drop() {
       wanted = false;
-      await run();
-    }
-    running = false;
+    },
   };
 }

@@ -5,7 +5,7 @@
 
 import { forgetOperands, loadOperand, readOperands } from './loading.js';
 import { samples } from './samples.js';
-import { troubleOf } from './trouble.js';
+import { isCancelled, troubleOf } from './trouble.js';
 
 /** @typedef {import('./protocol.js').Operand} Operand */
 
@@ -34,14 +34,21 @@ export function createOperands(model, engine) {
     model.countBusy(-1);
   }
 
+  /** @param {unknown} error @param {string} about */
+  function fail(error, about) {
+    if (!isCancelled(error)) model.fail(troubleOf(error, about));
+  }
+
   /** @param {File[]} files */
-  const read = (files) => () => readOperands(engine, files, (error, { name }) => model.fail(troubleOf(error, name)));
+  const read = (files) => () =>
+    readOperands(engine, files, { begin: ({ name }) => model.begin(`Reading ${name}`), fail: (error, { name }) => fail(error, name) });
 
   async function loadSamples() {
+    model.begin('Samples');
     try {
       return await Promise.all(samples.map(({ source, placement }) => loadOperand(engine, source, structuredClone(placement))));
     } catch (error) {
-      model.fail(troubleOf(error, 'the sample parts'));
+      fail(error, 'the sample parts');
       return [];
     }
   }

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: MIT
 // What the page and its worker say to each other, and what the page keeps.
 
-import type { BooleanResult, Format, MeshErrorDetails, Report, Shapes, TransformStep } from 'mortise';
+import type { Format, Mesh, MeshErrorDetails, Report, Shapes, TransformStep } from 'mortise';
 
 export type Vector = [number, number, number];
 
 export type Operation = 'union' | 'intersect' | 'subtract';
 
-/** Where an operand comes from. */
+/** Where an operand comes from: enough for any worker to make it. */
 export type Source =
   | { kind: 'shape'; name: string; shape: keyof Shapes; parameters: Record<string, number | Vector> }
-  | { kind: 'file'; name: string; bytes: ArrayBuffer };
+  | { kind: 'file'; name: string; file: File };
 
 /** Consecutive triangles of one operand. */
 export interface Group {
@@ -38,10 +38,14 @@ export interface LoadedOperand {
 
 export interface PlacedOperand {
   key: number;
+  /** For a worker that does not have it: the one that had was stopped. */
+  source: Source;
   steps: TransformStep[];
 }
 
 export interface Evaluation {
+  /** In doubles, for `write`: it outlives the worker. */
+  mesh: Mesh;
   report: Report;
   display: Display;
   /** Two points per edge of the intersection graph, relative to the origin of `display`. */
@@ -50,10 +54,13 @@ export interface Evaluation {
 
 /** The calls of the worker: what each takes and answers. */
 export interface Calls {
+  /** The first call of every worker: takes the compiled core if there is one, answers with it. */
+  start: [{ wasmModule: WebAssembly.Module | undefined }, WebAssembly.Module];
   load: [{ key: number; source: Source }, LoadedOperand];
   forget: [{ keys: number[] }, null];
-  evaluate: [{ operation: Operation; operands: PlacedOperand[] }, Evaluation];
-  write: [{ format: Format }, Uint8Array];
+  /** `inspect` as in the package: whether self-intersections of the result are counted. */
+  evaluate: [{ operation: Operation; operands: PlacedOperand[]; inspect: boolean }, Evaluation];
+  write: [{ mesh: Mesh; format: Format }, Uint8Array];
 }
 
 export interface Request {
@@ -82,9 +89,6 @@ export interface Parcel<Value> {
   transfer: ArrayBuffer[];
 }
 
-/** The last boolean, kept in the worker for `write`. */
-export type Kept = BooleanResult['mesh'] | undefined;
-
 /** How an operand is moved: about its own origin it is scaled, turned about x, y, z in degrees, then moved. */
 export interface Placement {
   move: Vector;
@@ -96,8 +100,7 @@ export interface Placement {
 export interface Operand extends LoadedOperand {
   key: number;
   name: string;
-  /** Without the bytes. */
-  source: { kind: 'file'; name: string } | Exclude<Source, { kind: 'file' }>;
+  source: Source;
   placement: Placement;
 }
 
@@ -115,8 +118,19 @@ export interface Result extends Evaluation {
   choice: Choice;
   /** Keys of the operands in the order of the call. */
   keys: number[];
+  /** What was asked for, to be compared with what would be asked for now. */
+  asked: string;
   /** From asking to showing. */
   milliseconds: number;
+}
+
+/** What takes time. */
+export interface Work {
+  title: string;
+  /** 0 to 1; undefined where nobody knows. */
+  fraction: number | undefined;
+  /** When it began, by performance.now(). */
+  since: number;
 }
 
 /** An error, and what it is about. */

@@ -5,6 +5,9 @@
 
 import { EngineError } from './engine.js';
 
+/** Did the person not want to wait any longer? @param {unknown} error */
+export const isCancelled = (error) => error instanceof EngineError && error.code === 'CANCELLED';
+
 /**
  * @param {unknown} error
  * @param {string} about

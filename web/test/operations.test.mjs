@@ -7,7 +7,7 @@ import test from 'node:test';
 
 import { make, writeMesh } from 'mortise';
 
-import { choose, download, dropFiles, idle, reportOf, setField, stateOf, useBrowser, withPage } from './support/browser.mjs';
+import { choose, download, dropFiles, idle, reportOf, setField, stateOf, until, useBrowser, withPage } from './support/browser.mjs';
 import { runCommands } from './support/command.mjs';
 import { areaOf, coloursOf } from './support/pixels.mjs';
 
@@ -78,6 +78,7 @@ test(
     const before = await reportOf(page);
     const placed = await valuesOf(page, 'move');
     await drag(page, await findHandle(page, 'Z'), [0, -40]);
+    assert.equal((await reportOf(page)).Crossings, 0, 'counted after the drag');
     const moved = await valuesOf(page, 'move');
     assert.deepEqual(moved.slice(0, 2), placed.slice(0, 2));
     assert.ok(moved[2] > placed[2] + 0.05, `${moved}`);
@@ -97,6 +98,22 @@ test(
     await drag(page, await findHandle(page, 'X'), [30, 10]);
     assert.notDeepEqual(await valuesOf(page, 'scale'), [1, 1, 1]);
     await compareWithCommand(page, t);
+  }),
+);
+
+test(
+  'while a part is dragged crossings are not counted; when it is let go they are',
+  withPage(async (page) => {
+    const crossings = () => page.evaluate(() => document.querySelector('#report').innerText.match(/Crossings\s+(.*)/)[1]);
+    assert.equal(await crossings(), 'none');
+    const [x, y] = await findHandle(page, 'Z');
+    await page.mouse.down();
+    await page.mouse.move(x, y - 30, { steps: 4 });
+    await until('a result under the hand', async () => (await crossings()) === 'not counted yet');
+    assert.equal(await idle(page), 'done');
+    await page.mouse.up();
+    assert.equal(await idle(page), 'done');
+    assert.equal(await crossings(), 'none');
   }),
 );
 
@@ -158,12 +175,14 @@ test(
     await page.evaluate(() => {
       const bar = document.getElementById('progress');
       globalThis.fractions = [];
-      new MutationObserver(() => bar.hidden || globalThis.fractions.push(bar.value)).observe(bar, { attributes: true });
+      const look = () => bar.checkVisibility() && bar.position >= 0 && globalThis.fractions.push(bar.value);
+      new MutationObserver(look).observe(bar, { attributes: true });
     });
     const bytes = await writeMesh(await make('icosphere', { levels: 7 }), { format: 'stl' });
     assert.equal(await dropFiles(page, [{ name: 'fine.stl', bytes }]), 'done');
     const fractions = await page.evaluate(() => globalThis.fractions);
-    assert.ok(fractions.length > 0 && fractions.every((x) => x > 0 && x <= 1), `${fractions}`);
+    assert.ok(fractions.some((x) => x > 0 && x < 1) && fractions.every((x) => x >= 0 && x <= 1), `${fractions}`);
+    assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
     assert.equal(await page.isVisible('#progress'), false);
   }),
 );

@@ -52,17 +52,25 @@ test('while a job runs, of the new ones only the last is kept', async () => {
   let state = 0;
   const seen = [];
   const finish = [];
-  const ask = newestOnly(() => {
-    seen.push(state);
-    return new Promise((resolve) => finish.push(resolve));
-  });
+  const steps = [];
+  const { ask, drop } = newestOnly(
+    () => {
+      seen.push(state);
+      return new Promise((resolve) => finish.push(resolve));
+    },
+    (step) => steps.push(step),
+  );
   for (state = 1; state <= 5; ++state) ask();
   state = 5;
   assert.deepEqual(seen, [1]);
   finish[0]();
   await new Promise(setImmediate);
   assert.deepEqual(seen, [1, 5]);
+  assert.deepEqual(steps, [1], 'busy all the time');
+  ask();
+  drop();
   finish[1]();
   await new Promise(setImmediate);
-  assert.deepEqual(seen, [1, 5]);
+  assert.deepEqual(seen, [1, 5], 'what was dropped is not run');
+  assert.deepEqual(steps, [1, -1]);
 });

@@ -36,13 +36,14 @@ function contactText({ points, length, area }) {
 
 /** @param {Report} report @param {number} milliseconds @returns {Line[]} */
 function linesOf(report, milliseconds) {
-  const { triangles, volume, area, genus, components, contact, graph } = report;
+  const { triangles, volume, area, genus, components, selfIntersections, contact, graph } = report;
   return [
     ['Triangles', number(triangles, count(triangles))],
     ['Volume', number(volume, volume === null ? 'none' : measure(volume))],
     ['Area', number(area, measure(area))],
     ['Components', number(components, count(components))],
     ['Genus', number(genus, genus === null ? 'none' : count(genus))],
+    ['Crossings', number(selfIntersections, selfIntersections === null ? 'not counted yet' : selfIntersections === 0 ? 'none' : plural(selfIntersections, 'pair'))],
     ['Intersection', `${plural(graph.closedLoops, 'loop')}${graph.openChains > 0 ? `, ${plural(graph.openChains, 'chain')}` : ''}`],
     ['Contact', contactText(contact)],
     ['Time', make('span', { title: 'of the call; and with moving the parts and shading' }, `${duration(report.milliseconds)} (${duration(milliseconds)} in all)`)],

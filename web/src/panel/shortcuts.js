@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Keys that work wherever no text is being typed.
+// Keys that work wherever no text is being typed; Escape everywhere.
 // @ts-check
 
 import { buttonsWith, byId } from '../dom.js';
@@ -14,11 +14,12 @@ function takesText(target) {
 /** A key presses the button that names it in aria-keyshortcuts. */
 export function startShortcuts() {
   const buttons = [...buttonsWith('choice'), ...buttonsWith('mode')].map(([, button]) => button);
-  const byKey = new Map([...buttons, byId('frame', HTMLButtonElement)].map((button) => [button.getAttribute('aria-keyshortcuts')?.toLowerCase(), button]));
+  buttons.push(byId('frame', HTMLButtonElement), byId('cancel', HTMLButtonElement));
+  const byKey = new Map(buttons.map((button) => [button.getAttribute('aria-keyshortcuts')?.toLowerCase(), button]));
   addEventListener('keydown', (event) => {
-    if (event.ctrlKey || event.metaKey || event.altKey || takesText(event.target)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || (takesText(event.target) && event.key !== 'Escape')) return;
     const button = byKey.get(event.key.toLowerCase());
-    if (button === undefined) return;
+    if (button === undefined || button.disabled) return;
     event.preventDefault();
     button.click();
   });

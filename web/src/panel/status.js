@@ -12,9 +12,6 @@ import { count, duration, measure } from '../numbers.js';
 
 const announceAfter = 500;
 
-/** A computation shorter than this shows no progress. */
-const patience = 300;
-
 /** @param {Model} model */
 function sentence({ result, operands }) {
   if (result === undefined) return 'Starting …';
@@ -24,33 +21,35 @@ function sentence({ result, operands }) {
 }
 
 /** @param {Model} model */
-const stateOf = ({ busy, trouble }) => (busy > 0 ? 'busy' : trouble === undefined ? 'done' : 'trouble');
+function stateOf({ busy, cancelled, trouble }) {
+  if (busy > 0) return 'busy';
+  if (cancelled) return 'cancelled';
+  return trouble === undefined ? 'done' : 'trouble';
+}
 
 /** @param {Model} model */
 export function startStatus(model) {
   const status = byId('status');
-  const bar = byId('progress', HTMLProgressElement);
+  const again = byId('again', HTMLButtonElement);
   const announcement = byId('announcement');
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let timer;
-  let idleSince = 0;
 
   function announce() {
     clearTimeout(timer);
     timer = setTimeout(() => {
-      if (!model.dragging && stateOf(model) === 'done') announcement.textContent = sentence(model);
+      if (!model.dragging && ['done', 'cancelled'].includes(stateOf(model))) announcement.textContent = status.textContent;
     }, announceAfter);
   }
   function update() {
     const state = stateOf(model);
-    if (state === 'done') status.textContent = sentence(model);
+    if (state !== 'trouble') status.textContent = state === 'cancelled' ? 'Cancelled' : sentence(model);
     status.dataset.state = state;
     status.dataset.choice = model.result?.choice ?? '';
-    bar.value = model.progress;
-    if (model.progress === 0) idleSince = performance.now();
-    bar.hidden = performance.now() - idleSince < patience;
     byId('old').hidden = !model.isOld;
+    again.hidden = state !== 'cancelled' || !model.isOld;
     announce();
   }
   model.on(['busy', 'result', 'trouble', 'operands', 'dragging'], update);
+  again.addEventListener('click', () => model.tell('again'));
 }

@@ -23,7 +23,7 @@ function startDownload(model, engine) {
     const format = /** @type {Format} */ (select.value);
     const name = `${fileNames[model.result.choice]}.${format.replace('-ascii', '')}`;
     try {
-      saveAs(await engine.call('write', { format }), name);
+      saveAs(await engine.call('write', { mesh: model.result.mesh, format }), name);
     } catch (error) {
       model.fail(troubleOf(error, name));
     }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// The worker: everything that needs the mesh core. Each message is a call and gets one answer, in order.
+// The worker: everything that needs the mesh core. Each message is a call and gets one answer, one after the other.
 // @ts-check
 
 import { calls } from './calls.js';
@@ -30,4 +30,7 @@ async function answer({ id, name, args }) {
   }
 }
 
-scope.onmessage = (/** @type {MessageEvent<Request>} */ event) => void answer(event.data);
+let last = Promise.resolve();
+scope.onmessage = (/** @type {MessageEvent<Request>} */ event) => {
+  last = last.then(() => answer(event.data));
+};

@@ -120,8 +120,8 @@ export async function setField(page, id, value) {
   await idle(page);
 }
 
-/** Drops files on the page as a desktop does: a DataTransfer with their bytes. */
-export async function dropFiles(page, files) {
+/** Drops files on the page as a desktop does: a DataTransfer with their bytes. Does not wait. */
+export async function beginDrop(page, files) {
   const plain = files.map(({ name, bytes }) => ({ name, base64: Buffer.from(bytes).toString('base64') }));
   await page.evaluate((dropped) => {
     const dataTransfer = new DataTransfer();
@@ -133,6 +133,11 @@ export async function dropFiles(page, files) {
       document.body.dispatchEvent(new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true }));
     }
   }, plain);
+}
+
+/** Drops files and waits for what comes of it. */
+export async function dropFiles(page, files) {
+  await beginDrop(page, files);
   return idle(page);
 }
 
