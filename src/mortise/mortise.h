@@ -12,6 +12,7 @@
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/measures.h"
+#include "mortise/mesh/repair.h"
 #include "mortise/mesh/shapes.h"
 #include "mortise/mesh/split_parts.h"
 #include "mortise/mesh/surface_mesh.h"
