@@ -9,6 +9,7 @@
 #include "mortise/boolean/result_regions.h"
 #include "mortise/io/files.h"
 #include "mortise/io/formats.h"
+#include "mortise/mesh/extrude_to.h"
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/measures.h"
