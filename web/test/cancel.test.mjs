@@ -21,12 +21,13 @@ async function largeFile(name, x) {
   return { name, bytes: await writeMesh(mesh, { format: 'stl' }) };
 }
 
-/** Keeps the worker from hearing anything, until it is stopped. */
+/** Keeps the worker from hearing anything from now on, until it is stopped. */
 function holdWorker(page) {
-  const held = page.workers()[0].evaluate(() => {
-    for (const end = Date.now() + 60_000; Date.now() < end; );
+  return page.workers()[0].evaluate(() => {
+    setTimeout(() => {
+      for (const end = Date.now() + 60_000; Date.now() < end; );
+    });
   });
-  held.catch(() => {});
 }
 
 const fractionOf = (page) => page.evaluate(() => (document.getElementById('work').hidden ? -1 : document.getElementById('progress').position));
@@ -62,7 +63,7 @@ test(
   'Escape cancels the reading of a file: the parts stay as they were',
   withPage(async (page) => {
     const [parts, before] = [await page.textContent('#parts'), await reportOf(page)];
-    holdWorker(page);
+    await holdWorker(page);
     await beginDrop(page, [await largeFile('large.stl', 0)]);
     await page.getByText('Reading large.stl').waitFor();
     await page.keyboard.press('Escape');
@@ -80,7 +81,7 @@ test(
   'what waited for its turn is dropped too; what was asked for before can be taken away, and computed when wanted',
   withPage(async (page, t) => {
     const [before, { bytes }] = [await reportOf(page), await download(page, 'ply')];
-    holdWorker(page);
+    await holdWorker(page);
     await page.fill('#move-z', '1.1');
     await page.fill('#move-z', '1.2');
     await page.focus('#move-z');
@@ -120,7 +121,7 @@ test(
     writeFileSync(path, ball.bytes);
     await page.setInputFiles('#choose-files', path);
     assert.equal(await idle(page), 'done');
-    holdWorker(page);
+    await holdWorker(page);
     appendFileSync(path, '# changed\n');
     await page.press('body', '2');
     await page.keyboard.press('Escape');

@@ -52,7 +52,7 @@ export function createResultView(model, stage) {
     result?.display.groups.forEach(({ operand }, i) => {
       const position = model.positionOf(result.keys[operand]);
       if (position >= 0) materials[i].color.copy(partColour(position));
-      Object.assign(materials[i], { transparent: isOld, opacity: isOld ? oldOpacity : 1, needsUpdate: true });
+      Object.assign(materials[i], { transparent: isOld, opacity: isOld ? oldOpacity : 1, depthWrite: !isOld, needsUpdate: true });
     });
     wires.color.copy(colourOf('wire'));
     graph.paint();
