@@ -15,6 +15,7 @@
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/repair.h"
 #include "mortise/mesh/shapes.h"
+#include "mortise/mesh/slice.h"
 #include "mortise/mesh/split_parts.h"
 #include "mortise/mesh/surface_mesh.h"
 #include "mortise/mesh/topology.h"

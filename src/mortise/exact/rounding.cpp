@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <utility>
 
 #include "mortise/base/bits.h"
 #include "mortise/base/error.h"
@@ -80,15 +81,18 @@ RoundedCoordinate round_exactly(double base, const BigFloat& offset, const BigFl
   return result;
 }
 
-}  // namespace
-
-Homogeneous<BigFloat> exact_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
-  Homogeneous<BigFloat> h = homogeneous_point<BigFloat>(construction, points);
+Homogeneous<BigFloat> with_positive_w(Homogeneous<BigFloat> h) {
   MORTISE_CHECK(h.w.sign() != Sign::Zero, "a point made from parallel lines or planes");
   if (h.w.sign() == Sign::Positive) return h;
   for (BigFloat& coordinate : h.offset) coordinate = -std::move(coordinate);
   h.w = -std::move(h.w);
   return h;
+}
+
+}  // namespace
+
+Homogeneous<BigFloat> exact_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
+  return with_positive_w(homogeneous_point<BigFloat>(construction, points));
 }
 
 std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
@@ -106,6 +110,13 @@ std::array<RoundedCoordinate, 3> round_point(const Construction& construction, c
     }
   }
   return result;
+}
+
+Vec3d round_homogeneous(const Vec3d& base, Homogeneous<BigFloat> point) {
+  const Homogeneous<BigFloat> h = with_positive_w(std::move(point));
+  Vec3d rounded;
+  for (std::size_t i = 0; i < 3; ++i) rounded[i] = round_exactly(base[i], h.offset[i], h.w).nearest;
+  return rounded;
 }
 
 }  // namespace mortise

@@ -44,4 +44,8 @@ template <class T>
 /// @throws Error{OutOfRange} if a coordinate does not fit a double; Error{InternalError} as exact_point
 [[nodiscard]] std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points);
 
+/// The nearest doubles of base + offset / w, w of any sign but not zero.
+/// @throws Error{OutOfRange} if a coordinate does not fit a double
+[[nodiscard]] Vec3d round_homogeneous(const Vec3d& base, Homogeneous<BigFloat> point);
+
 }  // namespace mortise

@@ -6,6 +6,7 @@
 
 #include "mortise/exact/predicates.h"
 #include "mortise/mesh/topology.h"
+#include "mortise/mesh/wedge_partners.h"
 
 namespace mortise {
 namespace {
@@ -130,6 +131,15 @@ std::vector<VertexId> find_non_manifold_vertices(const SurfaceMesh& mesh, const 
     if (fans[v] > 1) vertices.push_back(VertexId(v));
   }
   return vertices;
+}
+
+std::vector<HalfEdge> find_wedge_partners(const SurfaceMesh& mesh, const MeshTopology& topology) {
+  std::vector<HalfEdge> partner(3 * mesh.triangles.size(), no_partner);
+  for (const auto& [g, h] : pair_half_edges(mesh, topology)) {
+    partner[g] = h;
+    partner[h] = g;
+  }
+  return partner;
 }
 
 SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology) {
