@@ -134,6 +134,8 @@ test(
       await page.tap('#fold');
       await page.locator('#download').scrollIntoViewIfNeeded();
       assert.equal(await page.isVisible('#download'), true);
+      const fold = await page.locator('#fold').boundingBox();
+      assert.ok(fold.y >= y && fold.y < y + 12, 'the handle of the sheet stays at its top');
       const clipped = await page.evaluate(() => {
         const words = [...document.querySelectorAll('button, h1, h2')].filter((one) => one.clientWidth > 1);
         return words.filter((one) => one.scrollWidth > one.clientWidth + 1).map((one) => one.textContent);

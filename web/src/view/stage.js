@@ -28,6 +28,12 @@ function createCamera() {
   return camera;
 }
 
+/** Half the angle the camera sees across the shorter side of the view. @param {PerspectiveCamera} camera */
+function narrowHalf({ fov, aspect }) {
+  const half = (fov * Math.PI) / 360;
+  return Math.min(half, Math.atan(Math.tan(half) * aspect));
+}
+
 /**
  * Moves the camera so that a box fills the view.
  * @param {OrbitControls} orbit
@@ -36,10 +42,8 @@ function createCamera() {
  */
 function frameBox(orbit, camera, box) {
   const { center, radius } = box.getBoundingSphere(new Sphere());
-  const half = (camera.fov * Math.PI) / 360;
-  const narrow = Math.min(half, Math.atan(Math.tan(half) * camera.aspect));
   const direction = camera.position.clone().sub(orbit.target).normalize();
-  camera.position.copy(direction).multiplyScalar((0.92 * (radius || 1)) / Math.sin(narrow)).add(center);
+  camera.position.copy(direction).multiplyScalar((0.92 * (radius || 1)) / Math.sin(narrowHalf(camera))).add(center);
   orbit.target.copy(center);
   orbit.update();
 }
@@ -73,12 +77,16 @@ export function createStage(canvas) {
     renderer.render(scene, camera);
   }
 
+  /** What was in view stays in view: the distance follows the shorter side. */
   function resize() {
     const { clientWidth, clientHeight } = canvas;
     if (clientWidth === 0 || clientHeight === 0) return;
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     renderer.setSize(clientWidth, clientHeight, false);
+    const before = Math.sin(narrowHalf(camera));
     camera.aspect = clientWidth / clientHeight;
+    camera.position.sub(orbit.target).multiplyScalar(before / Math.sin(narrowHalf(camera))).add(orbit.target);
+    orbit.update();
     invalidate();
   }
 
