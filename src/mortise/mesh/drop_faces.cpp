@@ -136,8 +136,6 @@ struct FaceKey {
   Triangle vertices;
   bool is_even;
   FaceId face;
-
-  auto operator<=>(const FaceKey&) const = default;
 };
 
 FaceKey key_of(const Triangle& t, FaceId f) {
@@ -159,7 +157,10 @@ std::vector<FaceKey> sorted_keys(const SurfaceMesh& mesh) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     if (!repeats_vertex(mesh.triangles[f])) keys.push_back(key_of(mesh.triangles[f], FaceId(f)));
   }
-  std::sort(keys.begin(), keys.end());
+  std::sort(keys.begin(), keys.end(), [](const FaceKey& a, const FaceKey& b) {
+    if (a.vertices != b.vertices) return a.vertices < b.vertices;
+    return a.is_even != b.is_even ? b.is_even : a.face < b.face;
+  });
   return keys;
 }
 
