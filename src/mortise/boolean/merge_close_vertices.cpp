@@ -7,6 +7,7 @@
 #include <array>
 #include <tuple>
 
+#include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 
 namespace mortise {
@@ -38,7 +39,7 @@ struct ClosePair {
 };
 
 std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Precedence& precedes, std::span<const FailedPair> failed,
-                                        double reach) {
+                                        double least_reach) {
   std::vector<ClosePair> pairs;
   for (const FailedPair& f : failed) {
     std::vector<VertexId> corners;
@@ -49,8 +50,9 @@ std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Preceden
     corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
     for (std::size_t i = 0; i < corners.size(); ++i) {
       for (std::size_t j = i + 1; j < corners.size(); ++j) {
-        const double distance = length(merged.mesh.points[corners[j].index()] - merged.mesh.points[corners[i].index()]);
-        if (distance <= reach) pairs.push_back({distance, corners[i], corners[j]});
+        const Vec3d& p = merged.mesh.points[corners[i].index()];
+        const double distance = length(merged.mesh.points[corners[j].index()] - p);
+        if (distance <= std::max(repair_reach(p), least_reach)) pairs.push_back({distance, corners[i], corners[j]});
       }
     }
   }
@@ -203,12 +205,13 @@ void drop_unused_vertices(MergedMesh& merged) {
 
 }  // namespace
 
-bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double reach, MergedMesh& merged) {
+bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
   const Precedence precedes(faces, merged);
   Replacement replacement(precedes, merged.mesh.points.size());
   bool any = false;
-  for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, reach)) any |= replacement.merge(pair.a, pair.b);
+  for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, least_reach)) any |= replacement.merge(pair.a, pair.b);
   if (!any) return false;
+  note_facets_before_repair(merged);
   replace_corners(replacement, merged);
   keep_triangles(merged, find_remaining(merged.mesh.triangles));
   drop_unused_vertices(merged);

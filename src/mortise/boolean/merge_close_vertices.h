@@ -12,8 +12,9 @@ namespace mortise {
 /// Merges made vertices of failed triangles into the nearest vertex there, closest first, made before input; an input vertex
 /// never moves. Triangles that lose a corner go, opposite triangles on the same corners cancel, so every edge stays
 /// balanced (exact-core 5, repair b). The caller certifies again.
-/// @param reach  vertices farther apart are left alone
+/// @param least_reach  vertices farther apart than this and than repair_reach are left alone
 /// @return false when there was nothing to merge
-[[nodiscard]] bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double reach, MergedMesh& merged);
+[[nodiscard]] bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach,
+                                        MergedMesh& merged);
 
 }  // namespace mortise

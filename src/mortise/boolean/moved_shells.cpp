@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <span>
+#include <utility>
 
 #include "mortise/base/union_find.h"
 #include "mortise/boolean/radial_order.h"
@@ -40,32 +41,76 @@ std::vector<std::vector<FaceId>> moved_shells(const SurfaceMesh& mesh, const std
 
 double volume_of(const SurfaceMesh& mesh, std::span<const FaceId> shell) {
   SurfaceMesh part;
-  part.points = mesh.points;
-  for (const FaceId t : shell) part.triangles.push_back(mesh.triangles[t.index()]);
+  for (const FaceId t : shell) {
+    const auto first = static_cast<std::uint32_t>(part.points.size());
+    for (const VertexId v : mesh.triangles[t.index()]) part.points.push_back(mesh.points[v.index()]);
+    part.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
+  }
   return enclosed_volume(part);
 }
+
+// The facets of the exact surface behind a shell. A repair may have taken the last triangle of a facet, so they are looked up
+// by their points among all there were.
+class ExactSurface {
+ public:
+  ExactSurface(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged)
+      : facets_(facets), merged_(merged), joined_(merged.facets_before_repair.empty() ? 0 : faces.points.size()) {
+    for (const KeptFacet& k : merged.facets_before_repair) {
+      const PlanePoints& c = facets.corners[k.facet];
+      joined_.join(c[0].value, c[1].value);
+      joined_.join(c[1].value, c[2].value);
+    }
+    for (std::uint32_t i = 0; i < merged.facets_before_repair.size(); ++i) {
+      by_piece_.emplace_back(piece_of(merged.facets_before_repair[i]), i);
+    }
+    std::sort(by_piece_.begin(), by_piece_.end());
+  }
+
+  [[nodiscard]] std::vector<KeptFacet> facets_of(std::span<const FaceId> shell) {
+    std::vector<KeptFacet> found;
+    for (const FaceId t : shell) found.push_back(merged_.facet_of_triangle[t.index()]);
+    if (by_piece_.empty()) return found;
+    std::vector<std::uint32_t> pieces;
+    for (const KeptFacet& k : found) pieces.push_back(piece_of(k));
+    std::sort(pieces.begin(), pieces.end());
+    pieces.erase(std::unique(pieces.begin(), pieces.end()), pieces.end());
+    found.clear();
+    for (const std::uint32_t piece : pieces) {
+      auto at = std::lower_bound(by_piece_.begin(), by_piece_.end(), std::pair{piece, 0U});
+      for (; at != by_piece_.end() && at->first == piece; ++at) found.push_back(merged_.facets_before_repair[at->second]);
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] std::uint32_t piece_of(const KeptFacet& k) { return joined_.find(facets_.corners[k.facet][0].value); }
+
+  const Facets& facets_;
+  const MergedMesh& merged_;
+  UnionFind joined_;                                               // points, by facets
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_piece_;  // smallest point, place in facets_before_repair
+};
 
 // Is the region outside an exact shell in front of its triangles? Read off at its lexicographically smallest point, as seeds are.
 class ExactShell {
  public:
-  ExactShell(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged, std::span<const FaceId> shell)
-      : faces_(faces), facets_(facets), merged_(merged), shell_(shell) {}
+  ExactShell(const OperandFaces& faces, const Facets& facets, std::span<const KeptFacet> shell)
+      : faces_(faces), facets_(facets), shell_(shell) {}
 
   [[nodiscard]] bool is_outward() const {
     const PointId v = smallest_point();
     const PointId p = lowest_neighbour(v);
     std::vector<FacetAtEdge> around;
-    for (const FaceId t : shell_) {
-      if (has(corners(t), v) && has(corners(t), p)) around.push_back(facet_at_edge(faces_, facets_, kept(t).facet, v, p));
+    for (const KeptFacet& k : shell_) {
+      if (has(corners(k), v) && has(corners(k), p)) around.push_back(facet_at_edge(faces_, facets_, k.facet, v, p));
     }
     const FacetAtEdge first = first_after_minus_y(faces_, around);
-    const auto at = std::find_if(shell_.begin(), shell_.end(), [&](FaceId t) { return kept(t).facet == first.facet; });
-    return first.is_front_after() == kept(*at).is_flipped;
+    const auto at = std::find_if(shell_.begin(), shell_.end(), [&](const KeptFacet& k) { return k.facet == first.facet; });
+    return first.is_front_after() == at->is_flipped;
   }
 
  private:
-  [[nodiscard]] const KeptFacet& kept(FaceId t) const { return merged_.facet_of_triangle[t.index()]; }
-  [[nodiscard]] const PlanePoints& corners(FaceId t) const { return facets_.corners[kept(t).facet]; }
+  [[nodiscard]] const PlanePoints& corners(const KeptFacet& k) const { return facets_.corners[k.facet]; }
   static bool has(const PlanePoints& c, PointId p) { return std::find(c.begin(), c.end(), p) != c.end(); }
 
   [[nodiscard]] bool is_smaller(PointId a, PointId b) const {
@@ -78,8 +123,8 @@ class ExactShell {
 
   [[nodiscard]] PointId smallest_point() const {
     PointId smallest = corners(shell_.front())[0];
-    for (const FaceId t : shell_) {
-      for (const PointId p : corners(t)) {
+    for (const KeptFacet& k : shell_) {
+      for (const PointId p : corners(k)) {
         if (p != smallest && is_smaller(p, smallest)) smallest = p;
       }
     }
@@ -89,9 +134,9 @@ class ExactShell {
   [[nodiscard]] PointId lowest_neighbour(PointId v) const {
     const PointSet& points = faces_.points;
     PointId lowest;
-    for (const FaceId t : shell_) {
-      if (!has(corners(t), v)) continue;
-      for (const PointId w : corners(t)) {
+    for (const KeptFacet& k : shell_) {
+      if (!has(corners(k), v)) continue;
+      for (const PointId w : corners(k)) {
         if (w == v || (points.compare(w, v, 0) == Sign::Zero && points.compare(w, v, 1) == Sign::Zero)) continue;
         if (!lowest.is_valid() || points.orient2d(v, lowest, w, Axis::Z) == Sign::Negative) lowest = w;
       }
@@ -101,8 +146,7 @@ class ExactShell {
 
   const OperandFaces& faces_;
   const Facets& facets_;
-  const MergedMesh& merged_;
-  std::span<const FaceId> shell_;
+  std::span<const KeptFacet> shell_;
 };
 
 }  // namespace
@@ -110,9 +154,10 @@ class ExactShell {
 std::vector<FaceId> find_turned_shells(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,
                                        const std::vector<std::uint8_t>& is_moved) {
   std::vector<FaceId> turned;
+  ExactSurface surface(faces, facets, merged);
   for (const std::vector<FaceId>& shell : moved_shells(merged.mesh, is_moved)) {
     const double volume = volume_of(merged.mesh, shell);
-    const bool is_outward = ExactShell(faces, facets, merged, shell).is_outward();
+    const bool is_outward = ExactShell(faces, facets, surface.facets_of(shell)).is_outward();
     if (!(is_outward ? volume > 0 : volume < 0)) turned.push_back(shell.front());
   }
   return turned;

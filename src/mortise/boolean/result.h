@@ -37,6 +37,7 @@ struct Certificate {
   std::uint64_t pairs_tested = 0;
   std::uint64_t inherited_pairs = 0;        ///< that meet beyond what they share because their faces did so in one operand
   double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
+  double repair_displacement = 0;           ///< the part of it that repair added; 0: every made vertex is its nearest double
   std::vector<std::uint32_t> failed_faces;  ///< of the result, ascending; empty when certified
 };
 

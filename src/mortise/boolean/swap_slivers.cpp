@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 
 namespace mortise {
@@ -22,7 +23,8 @@ struct DirectedEdge {
 
 class SliverSwapper {
  public:
-  SliverSwapper(std::span<const FailedPair> failed, double reach, MergedMesh& merged) : reach_(reach), merged_(merged), mesh_(merged.mesh) {
+  SliverSwapper(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged)
+      : least_reach_(least_reach), merged_(merged), mesh_(merged.mesh) {
     std::vector<std::uint8_t> is_near(mesh_.points.size(), 0);
     for (const FailedPair& f : failed) {
       for (const FaceId t : {f.a, f.b}) {
@@ -74,7 +76,7 @@ class SliverSwapper {
                                                          static_cast<std::size_t>(end - begin));
   }
 
-  // The edge of a triangle that is longest; the triangle's height over it is at most the reach.
+  // The edge of a triangle that is longest; the triangle's height over it is within reach.
   [[nodiscard]] bool is_sliver(const Triangle& t, std::size_t& longest, double& height) const {
     std::array<double, 3> size{};
     for (std::size_t i = 0; i < 3; ++i) size[i] = length(position(t[(i + 1) % 3]) - position(t[i]));
@@ -86,8 +88,9 @@ class SliverSwapper {
       if (size[i] > size[longest] || (size[i] == size[longest] && is_before)) longest = i;
     }
     if (!(size[longest] > 0)) return false;
-    height = height_over(position(t[longest]), position(t[(longest + 1) % 3]), position(t[(longest + 2) % 3]));
-    return height <= reach_;
+    const Vec3d& top = position(t[(longest + 2) % 3]);
+    height = height_over(position(t[longest]), position(t[(longest + 1) % 3]), top);
+    return height <= std::max(repair_reach(top), least_reach_);
   }
 
   //      a               a
@@ -108,6 +111,7 @@ class SliverSwapper {
     const Triangle& c = mesh_.triangles[n.index()];
     const VertexId w = c[0] != u && c[0] != v ? c[0] : c[1] != u && c[1] != v ? c[1] : c[2];
     if (w == a || !find(a, w).empty() || !find(w, a).empty()) return false;
+    note_facets_before_repair(merged_);
     replace(t, n, {a, u, w}, {w, v, a});
     merged_.repair_displacement = std::max(merged_.repair_displacement, height);
     return true;
@@ -150,7 +154,7 @@ class SliverSwapper {
     for (std::size_t i = to.index() + 1; i < p.other_source_begin.size(); ++i) p.other_source_begin[i] += new_count - old_count;
   }
 
-  double reach_;
+  double least_reach_;
   MergedMesh& merged_;
   SurfaceMesh& mesh_;
   std::vector<FaceId> candidates_;
@@ -160,8 +164,8 @@ class SliverSwapper {
 
 }  // namespace
 
-bool swap_slivers(std::span<const FailedPair> failed, double reach, MergedMesh& merged) {
-  return SliverSwapper(failed, reach, merged).run();
+bool swap_slivers(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
+  return SliverSwapper(failed, least_reach, merged).run();
 }
 
 }  // namespace mortise

@@ -13,8 +13,8 @@ namespace mortise {
 ///
 /// Both triangles after the swap belong to the face of the larger one; the surface moves by no more than the height of the
 /// sliver. The caller certifies again.
-/// @param reach  triangles higher than this over their longest edge are no slivers
+/// @param least_reach  triangles higher over their longest edge than this and than repair_reach at their top are no slivers
 /// @return false when there was nothing to swap
-[[nodiscard]] bool swap_slivers(std::span<const FailedPair> failed, double reach, MergedMesh& merged);
+[[nodiscard]] bool swap_slivers(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged);
 
 }  // namespace mortise

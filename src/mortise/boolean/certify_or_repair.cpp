@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Rounds of merging and swapping, each followed by a certificate.
+#include "mortise/boolean/certify_or_repair.h"
+
+#include "mortise/boolean/merge_close_vertices.h"
+#include "mortise/boolean/repair_reach.h"
+#include "mortise/boolean/swap_slivers.h"
+
+namespace mortise {
+namespace {
+
+double reach_of_all(const SurfaceMesh& mesh) {
+  Box3 box;
+  for (const Vec3d& p : mesh.points) box.extend(p);
+  const Vec3d half_size = 0.5 * box.hi - 0.5 * box.lo;  // the whole size may overflow
+  return 2 * repair_reach(half_size);
+}
+
+void repair(const OperandFaces& faces, const Facets& facets, double least_reach, const ProgressCallback& progress, RoundedResult& result) {
+  auto& [merged, certified] = result;
+  constexpr int most_rounds = 8;
+  for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
+    if (!merge_close_vertices(faces, certified.failed, least_reach, merged) && !swap_slivers(certified.failed, least_reach, merged)) return;
+    certified = certify(faces, facets, merged, progress);
+    certified.certificate.repair_displacement = merged.repair_displacement;
+  }
+}
+
+}  // namespace
+
+RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, const ProgressCallback& progress) {
+  CertifiedMesh certified = certify(faces, facets, merged, progress);
+  RoundedResult result{std::move(merged), std::move(certified)};
+  repair(faces, facets, 0, progress, result);
+  if (result.certified.failed.empty()) return result;
+  RoundedResult coarser = result;
+  repair(faces, facets, reach_of_all(result.merged.mesh), progress, coarser);
+  return coarser.certified.failed.empty() ? coarser : result;
+}
+
+}  // namespace mortise

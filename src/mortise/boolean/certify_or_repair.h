@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The doubles of a result with what is proven of them, after the repair of what rounding folded.
+#pragma once
+
+#include "mortise/boolean/certify.h"
+
+namespace mortise {
+
+struct RoundedResult {
+  MergedMesh merged;
+  CertifiedMesh certified;
+};
+
+/// Certifies the doubles of a result. Where rounding folded it, repairs and certifies again as long as there is something to
+/// repair: within repair_reach at each place; what is left then, within that reach of the whole result, provided this ends in
+/// a certificate (exact-core 5, repair; docs/decisions/003).
+/// @throws Error{Cancelled}
+[[nodiscard]] RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged,
+                                              const ProgressCallback& progress);
+
+}  // namespace mortise
