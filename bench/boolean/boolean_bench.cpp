@@ -1,8 +1,12 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size.
-// Prints medians of eleven runs in milliseconds, and the peak memory of the process.
+// Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size. FILE_B may be
+// `turned`: the first file turned by 90 degrees about y.
+// Prints medians of eleven runs in milliseconds, and how far one call raised the memory of a process of its own.
+#include <malloc.h>
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -42,7 +46,37 @@ void time_operation(const std::string& name, Operation operation, const SurfaceM
   for (const std::string& s : order) std::printf("%s %.2f%s", s.c_str(), median(stages[s]), s == order.back() ? ")\n" : ", ");
 }
 
+long resident_peak_kilobytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss;
+}
+
+/// By how many kilobytes a union raises the peak of a fresh process; 0 when that cannot be measured.
+long memory_of_union(const SurfaceMesh& a, const SurfaceMesh& b) {
+  int ends[2];
+  if (pipe(ends) != 0) return 0;
+  long growth = 0;
+  malloc_trim(0);  // what this process has freed must not be there for the other to take
+  if (const pid_t child = fork(); child == 0) {
+    const long before = resident_peak_kilobytes();
+    const BooleanResult result = unite(a, b);
+    growth = resident_peak_kilobytes() - before;
+    _exit(write(ends[1], &growth, sizeof growth) == sizeof growth ? 0 : 1);
+  } else {
+    waitpid(child, nullptr, 0);
+  }
+  close(ends[1]);
+  if (read(ends[0], &growth, sizeof growth) != sizeof growth) growth = 0;
+  close(ends[0]);
+  return growth;
+}
+
 void time_pair(const std::string& name, const SurfaceMesh& a, const SurfaceMesh& b) {
+  const long kilobytes = memory_of_union(a, b);
+  const auto triangles = static_cast<double>(a.triangles.size() + b.triangles.size());
+  std::printf("%-34s memory of a union: %ld MB, %.0f bytes per triangle of the operands\n", name.c_str(), kilobytes / 1024,
+              1024 * static_cast<double>(kilobytes) / triangles);
   for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) time_operation(name, operation, a, b);
 }
 
@@ -62,7 +96,9 @@ void time_generated() {
 int main(int argc, char** argv) {
   try {
     if (argc == 3) {
-      time_pair(std::string(argv[1]) + " " + argv[2], read_mesh_file(argv[1]), read_mesh_file(argv[2]));
+      const SurfaceMesh a = read_mesh_file(argv[1]);
+      const bool is_turned = std::string(argv[2]) == "turned";
+      time_pair(std::string(argv[1]) + " " + argv[2], a, is_turned ? transform(a, rotation(Axis::Y, 90)) : read_mesh_file(argv[2]));
     } else {
       time_generated();
     }
@@ -70,8 +106,5 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s: %s\n", error.stage.c_str(), error.what());
     return 1;
   }
-  rusage usage{};
-  getrusage(RUSAGE_SELF, &usage);
-  std::printf("peak memory %ld MB\n", usage.ru_maxrss / 1024);
   return 0;
 }
