@@ -53,6 +53,16 @@ export function createAsyncApi(compileFrom, host) {
     roundToFloat32: later('roundToFloat32'),
     /** @type {typeof import('./index.js').make} */
     make: later('make'),
+    /** @type {typeof import('./index.js').split} */
+    split: later('split'),
+    /** @type {typeof import('./index.js').splitPinches} */
+    splitPinches: later('splitPinches'),
+    /** @type {typeof import('./index.js').repair} */
+    repair: later('repair'),
+    /** @type {typeof import('./index.js').extrudeTo} */
+    extrudeTo: later('extrudeTo'),
+    /** @type {typeof import('./index.js').slice} */
+    slice: later('slice'),
     /** @type {typeof import('./index.js').writeMesh} */
     writeMesh: later('writeMesh'),
     readMesh,

@@ -31,5 +31,6 @@ function refusePath() {
 /** @type {import('./sync_api.js').Host} */
 const host = { readFile: refusePath, writeFile: refusePath };
 
-export const { union, intersect, subtract, inspect, transform, roundToFloat32, make, readMesh, writeMesh, load } = createAsyncApi(compileFrom, host);
+export const { union, intersect, subtract, inspect, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, readMesh, writeMesh, load } =
+  createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the bindings export; the glue the compiler writes carries no types.
 
-import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, Report } from './index.js';
+import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart, PinchFreeMesh, RepairedMesh, Report, Section } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -27,6 +27,11 @@ export interface Core {
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;
+  splitMesh(mesh: CheckedMesh, by: string): Answer<MeshPart[]>;
+  splitPinches(mesh: CheckedMesh): Answer<PinchFreeMesh>;
+  repairMesh(mesh: CheckedMesh, steps: string[]): Answer<RepairedMesh>;
+  extrudeTo(mesh: CheckedMesh, z: number): Answer<Mesh>;
+  sliceMesh(mesh: CheckedMesh, plane: Float64Array): Answer<Section>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;

@@ -187,6 +187,78 @@ export interface Shapes {
   revolve: { profile: readonly (readonly [number, number])[]; around?: number };
 }
 
+/** A part of a mesh; pass it on as a mesh. */
+export interface MeshPart extends Mesh {
+  /** Per triangle: which triangle of the mesh. */
+  sourceFace: Uint32Array;
+  /** Per vertex: which vertex of the mesh, the lowest at its position. */
+  sourceVertex: Uint32Array;
+}
+
+export interface SplitOptions {
+  /**
+   * 'components' (the default): triangles connected through edges; what meets in a vertex only comes apart.
+   * 'regions': the solids of a closed mesh, each with its cavities; solids that touch in an edge or a vertex are two.
+   */
+  by?: 'components' | 'regions';
+}
+
+/** A mesh whose edges have at most two triangles and whose vertices have one fan of them. */
+export interface PinchFreeMesh extends Mesh {
+  /** Per vertex: the vertex it is a copy of. */
+  sourceVertex: Uint32Array;
+  /** Per triangle: number of its shell. */
+  shell: Uint32Array;
+}
+
+/** What `repair` does, in this order; nothing unless asked. */
+export interface RepairSteps {
+  /** Triangles without area; what was closed stays closed. */
+  dropDegenerate?: boolean;
+  /** Triangles that run round the same vertices the same way as an earlier one. */
+  dropDuplicates?: boolean;
+  /** Pairs of triangles that run round the same vertices opposite ways. */
+  cancelOpposites?: boolean;
+  /** Triangles that run against most of their surface. */
+  orient?: boolean;
+  /** Closed shells that are inside out, with all that lies in them; cavities stay. */
+  flipInsideOut?: boolean;
+  /** Simple holes whose corners lie in one plane exactly. */
+  fillPlanarHoles?: boolean;
+}
+
+export interface RepairNote {
+  step: keyof RepairSteps;
+  /**
+   * What was not 'done' stays as it was: one-sided surfaces ('notOrientable'); holes in no plane ('notPlanar'), that meet
+   * themselves or lie in one another ('notSimple'), or whose filling would lie on their neighbours ('wouldOverlap').
+   */
+  outcome: 'done' | 'notOrientable' | 'notPlanar' | 'notSimple' | 'wouldOverlap';
+  /** Triangles; one-sided surfaces; holes. */
+  count: number;
+  /** Triangles of the mesh as given: those changed or left, or those round the holes. */
+  faces: Uint32Array;
+}
+
+export interface RepairedMesh {
+  mesh: Mesh;
+  /** What was done and what could not be; a step that found nothing to do is not in it. */
+  done: RepairNote[];
+  /** Per triangle: the one it is or is a part of; 0xffffffff for a filling. */
+  sourceFace: Uint32Array;
+  /** Per vertex: which vertex of the mesh, the lowest at its position. */
+  sourceVertex: Uint32Array;
+}
+
+/** Where a plane cuts a mesh. */
+export interface Section {
+  /** Closed polygons of three coordinates per point, the first not repeated; seen against the normal, the inside is on their left. */
+  polygons: Float64Array[];
+  /** Per polygon, negative for holes. */
+  areas: Float64Array;
+  area: number;
+}
+
 export type Format = 'stl' | 'stl-ascii' | 'obj' | 'ply' | 'ply-ascii' | 'off';
 
 export interface ReadOptions {
@@ -262,6 +334,11 @@ export interface Mortise {
   transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
   roundToFloat32(mesh: MeshInput): Mesh;
   make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Mesh;
+  split(mesh: MeshInput, options?: SplitOptions): MeshPart[];
+  splitPinches(mesh: MeshInput): PinchFreeMesh;
+  repair(mesh: MeshInput, steps: RepairSteps): RepairedMesh;
+  extrudeTo(mesh: MeshInput, options: { z: number }): Mesh;
+  slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   readMesh(source: string | URL | Uint8Array | ArrayBuffer, options?: ReadOptions): Mesh;
   writeMesh(path: string | URL, mesh: MeshInput, options?: WriteOptions): void;
   writeMesh(mesh: MeshInput, options: { format: Format }): Uint8Array;
@@ -293,6 +370,24 @@ export function roundToFloat32(mesh: MeshInput): Promise<Mesh>;
 
 /** A generated shape; all but gridSheet are closed. */
 export function make<Name extends keyof Shapes>(shape: Name, parameters?: Shapes[Name]): Promise<Mesh>;
+
+/** The parts of a mesh, in the order of their first triangles. */
+export function split(mesh: MeshInput, options?: SplitOptions): Promise<MeshPart[]>;
+
+/** The mesh with vertices copied where bodies touch in an edge or a vertex: manifold shells, for programs that need them. */
+export function splitPinches(mesh: MeshInput): Promise<PinchFreeMesh>;
+
+/** The mesh after the steps asked for, and what they did. */
+export function repair(mesh: MeshInput, steps: RepairSteps): Promise<RepairedMesh>;
+
+/** The solid between a sheet that is a heightfield and the plane at height z below or above it. */
+export function extrudeTo(mesh: MeshInput, options: { z: number }): Promise<Mesh>;
+
+/**
+ * The polygons in which the plane [nx, ny, nz, d] of the points p with n . p = d cuts a closed mesh. A side that lies in the
+ * plane counts when the inside is behind it.
+ */
+export function slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Promise<Section>;
 
 /** The mesh in a file (Node) or in bytes: equal positions welded, polygons triangulated, names as labels. */
 export function readMesh(source: string | URL | Uint8Array | ArrayBuffer | Blob, options?: ReadOptions): Promise<Mesh>;

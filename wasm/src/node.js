@@ -16,5 +16,6 @@ async function compileFrom(wasmUrl) {
 /** @type {import('./sync_api.js').Host} */
 const host = { readFile: readBytes, writeFile: writeBytes };
 
-export const { union, intersect, subtract, inspect, transform, roundToFloat32, make, readMesh, writeMesh, load } = createAsyncApi(compileFrom, host);
+export const { union, intersect, subtract, inspect, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, readMesh, writeMesh, load } =
+  createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

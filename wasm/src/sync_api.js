@@ -6,6 +6,7 @@
 import { checkInspect, checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
+import { meshOperations } from './mesh_operations.js';
 import { placesOf } from './places.js';
 import { checkShape } from './shapes.js';
 import { checkSteps } from './steps.js';
@@ -214,6 +215,7 @@ export function createSyncApi(core, host, onStop) {
       const [name, numbers] = checkShape(shape, parameters);
       return ask(session, () => core.makeShape(name, numbers));
     },
+    ...meshOperations((call, meshes) => ask(session, call, meshes)),
     readMesh: (source, options) => readMesh(session, source, options),
     writeMesh: (/** @type {any[]} */ ...args) => writeMesh(session, args),
   };

@@ -20,7 +20,10 @@ import { cube, meshError } from './support.mjs';
 
 const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
-const names = ['MeshError', 'inspect', 'intersect', 'load', 'make', 'readMesh', 'roundToFloat32', 'subtract', 'transform', 'union', 'writeMesh'];
+const names = [
+  ...['MeshError', 'extrudeTo', 'inspect', 'intersect', 'load', 'make', 'readMesh', 'repair', 'roundToFloat32', 'slice', 'split', 'splitPinches'],
+  ...['subtract', 'transform', 'union', 'writeMesh'],
+];
 
 test('import, require and the browser entry export the same names', () => {
   for (const entry of [mortise, require('mortise'), browser]) assert.deepEqual(Object.keys(entry).sort(), names);

@@ -127,15 +127,16 @@ export function printReport(report, title, { values }, streams) {
 }
 
 /**
- * Writes a mesh that no boolean made, and reports what the file then holds.
+ * Writes a mesh that no boolean made, and reports what the file then holds; `notes` come first.
  * @param {Mortise} mortise
  * @param {import('../index.js').Mesh} mesh
- * @param {{ verb: string, args: Arguments, streams: Streams }} call
+ * @param {{ verb: string, args: Arguments, streams: Streams, notes?: string[] }} call
  */
-export function writePlain(mortise, mesh, { verb, args, streams }) {
+export function writePlain(mortise, mesh, { verb, args, streams, notes = [] }) {
   const target = targetOf(args);
   const bytes = mortise.writeMesh(mesh, { format: target.format });
   const report = mortise.inspect(mortise.readMesh(bytes, { format: target.format }));
+  report.notes.unshift(...notes);
   send(target, bytes, streams);
   printReport(report, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
 }

@@ -14,8 +14,12 @@ import { parseArguments } from './arguments.js';
 import { errorText } from './error_text.js';
 import { exitCode, exitCodeOf } from './exit_codes.js';
 import { booleanVerb } from './verbs/boolean.js';
+import { extrudeVerb } from './verbs/extrude.js';
 import { inspectVerb } from './verbs/inspect.js';
 import { makeVerb } from './verbs/make.js';
+import { repairVerb } from './verbs/repair.js';
+import { sliceVerb } from './verbs/slice.js';
+import { splitVerb } from './verbs/split.js';
 import { transformVerb } from './verbs/transform.js';
 
 /** @type {Record<string, import('./common.js').Verb>} */
@@ -23,6 +27,10 @@ const verbs = {
   union: booleanVerb('union'),
   intersect: booleanVerb('intersect'),
   subtract: booleanVerb('subtract'),
+  split: splitVerb,
+  repair: repairVerb,
+  extrude: extrudeVerb,
+  slice: sliceVerb,
   transform: transformVerb,
   make: makeVerb,
   inspect: inspectVerb,
@@ -35,6 +43,10 @@ Exact booleans of triangle meshes.
   mortise union A B [C...] -o OUT         all that is inside any
   mortise intersect A B [C...] -o OUT     all that is inside every one
   mortise subtract A B [C...] -o OUT      the first without the others
+  mortise split IN -o OUT-%d.stl          its parts or its solids, one file each
+  mortise repair IN -o OUT --STEP ...     mends what is asked for, says what it did
+  mortise extrude IN -o OUT --to-z Z      the solid under or over a terrain
+  mortise slice IN -o OUT --plane ...     the polygons of a plane cut
   mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror
   mortise make SHAPE -o OUT [sizes]       box, sphere, cylinder, ...
   mortise inspect FILE                    counts, measures, self-intersections

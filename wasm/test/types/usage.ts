@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { inspect, intersect, load, make, MeshError, readMesh, subtract, transform, union, writeMesh } from 'mortise';
+import { extrudeTo, inspect, intersect, load, make, MeshError, readMesh, repair, slice, split, splitPinches, subtract, transform, union, writeMesh } from 'mortise';
 import type { BooleanResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
@@ -29,6 +29,14 @@ await writeMesh('out.ply', pair.mesh);
 const back: Mesh = await readMesh(bytes, { format: 'stl' });
 const fromFile: Mesh = await readMesh('in.obj');
 
+const parts: Mesh[] = await split(pair.mesh, { by: 'regions' });
+const sources: Uint32Array = (await split(pair.mesh))[0].sourceFace;
+const shells: Uint32Array = (await splitPinches(pair.mesh)).shell;
+const repaired = await repair(soup, { dropDegenerate: true, orient: true });
+const step: 'orient' | undefined = repaired.done[0].step === 'orient' ? repaired.done[0].step : undefined;
+const solid: Mesh = await extrudeTo(repaired.mesh, { z: -1 });
+const polygons: Float64Array[] = (await slice(solid, { plane: [0, 0, 1, 0.5] })).polygons;
+
 const mortise: Mortise = await load({ wasmUrl: '/core.wasm' });
 const now: BooleanResult = mortise.union(box, back, { onProgress: () => false });
 const nowBytes: Uint8Array = mortise.writeMesh(now.mesh, { format: 'obj' });
@@ -54,9 +62,14 @@ await union(box, moved, { inspect: 'brief' });
 await writeMesh(box, { format: 'step' });
 // @ts-expect-error bytes need a format
 await writeMesh(box);
+// @ts-expect-error no such step
+await repair(box, { weld: true });
+// @ts-expect-error a plane has an offset
+await slice(box, { plane: [0, 0, 1] });
 // @ts-expect-error two steps in one have no order
 await transform(box, [{ scale: 2, rotateX: 90 }]);
 // @ts-expect-error a promise is not a mesh
 await union(make('box'), box);
 
+console.log(parts, sources, shells, step, polygons);
 console.log(operands, chains, genus, found, report.certified, nowBytes);

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Operations on one mesh: parts, repair, solids of sheets, sections.
+// @ts-check
+
+import { checkMesh, checkOptions, describe } from './arguments.js';
+import { invalidArgument } from './errors.js';
+
+/** @typedef {import('./glue_types.js').Core} Core */
+
+/**
+ * Calls the core with meshes its errors may be about.
+ * @typedef {<Value>(call: (core: Core) => import('./glue_types.js').Answer<Value>, meshes: import('./glue_types.js').CheckedMesh[]) => Value} Ask
+ */
+
+const waysToSplit = ['components', 'regions'];
+
+/** The steps of a repair in their order. */
+export const repairSteps = /** @type {const} */ (['dropDegenerate', 'dropDuplicates', 'cancelOpposites', 'orient', 'flipInsideOut', 'fillPlanarHoles']);
+
+/** @param {unknown} value @param {string} name */
+function checkNumber(value, name) {
+  if (typeof value !== 'number' || !Number.isFinite(value)) throw invalidArgument(`${name} must be a finite number, not ${describe(value)}`);
+  return value;
+}
+
+/** @param {any} plane */
+function checkPlane(plane) {
+  if (plane === null || typeof plane !== 'object' || plane.length !== 4) {
+    throw invalidArgument(`plane must be four numbers [nx, ny, nz, d], the points with n . p = d, not ${describe(plane)}`);
+  }
+  return Float64Array.from(plane, (x, i) => checkNumber(x, `plane[${i}]`));
+}
+
+/** @param {any} options */
+function checkSteps(options) {
+  const checked = checkOptions(options, repairSteps);
+  const wrong = repairSteps.find((name) => checked[name] !== undefined && typeof checked[name] !== 'boolean');
+  if (wrong !== undefined) throw invalidArgument(`${wrong} must be true or false, not ${describe(checked[wrong])}`);
+  return repairSteps.filter((name) => checked[name] === true);
+}
+
+/**
+ * @param {Ask} ask
+ * @returns {Pick<import('./index.js').Mortise, 'split' | 'splitPinches' | 'repair' | 'extrudeTo' | 'slice'>}
+ */
+export function meshOperations(ask) {
+  return {
+    split: (mesh, options) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const { by = 'components' } = checkOptions(options, ['by']);
+      if (!waysToSplit.includes(by)) throw invalidArgument(`by is one of ${waysToSplit.join(', ')}, not ${describe(by)}`);
+      return ask((core) => core.splitMesh(checked, by), [checked]);
+    },
+    splitPinches: (mesh) => {
+      const checked = checkMesh(mesh, 'mesh');
+      return ask((core) => core.splitPinches(checked), [checked]);
+    },
+    repair: (mesh, steps) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const names = checkSteps(steps);
+      return ask((core) => core.repairMesh(checked, names), [checked]);
+    },
+    extrudeTo: (mesh, options) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const z = checkNumber(checkOptions(options, ['z']).z, 'z');
+      return ask((core) => core.extrudeTo(checked, z), [checked]);
+    },
+    slice: (mesh, options) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const plane = checkPlane(checkOptions(options, ['plane']).plane);
+      return ask((core) => core.sliceMesh(checked, plane), [checked]);
+    },
+  };
+}
