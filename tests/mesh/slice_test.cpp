@@ -115,6 +115,15 @@ TEST_CASE("Bodies that touch along an edge or in a vertex keep their own polygon
   CHECK(sorted(slice(along, {{1, -1, 0}, 0}).areas) == std::vector<double>{std::sqrt(2.0), std::sqrt(2.0)});
 }
 
+TEST_CASE("Cavities that touch along an edge leave the area between them out", "[mesh][slice]") {
+  const SurfaceMesh block = weld(test::joined({test::box({0, 0, 0}, {4, 4, 4}), test::inside_out(test::box({1, 1, 1}, {2, 2, 3})),
+                                               test::inside_out(test::box({2, 2, 1}, {3, 3, 3}))}))
+                                .mesh;
+  for (const double z : {1.5, 2.0, 3.0}) CHECK(at_height(block, z).area == 14);
+  CHECK(at_height(block, 1).area == 16);
+  CHECK(slice(block, {{1, -1, 0}, 0}).area == Approx((16 - 4) * std::sqrt(2.0)).epsilon(1e-15));
+}
+
 TEST_CASE("A soup is welded, faces that repeat a vertex do not count", "[mesh][slice]") {
   SurfaceMesh box = test::box({0, 0, 0}, {1, 1, 1});
   box.triangles.push_back({VertexId(0), VertexId(0), VertexId(7)});

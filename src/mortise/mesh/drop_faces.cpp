@@ -3,10 +3,13 @@
 // Steps of a repair that take faces away: those without area, duplicates, opposite pairs.
 #include <algorithm>
 #include <array>
+#include <map>
 #include <utility>
+#include <vector>
 
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/repair_steps.h"
+#include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/topology.h"
 
 namespace mortise {
@@ -14,41 +17,109 @@ namespace {
 
 bool is_before(const Vec3d& a, const Vec3d& b) { return a.x != b.x ? a.x < b.x : a.y != b.y ? a.y < b.y : a.z < b.z; }
 
-/// Drops faces without area so that what was closed stays closed. The faces of one round do not touch in an edge.
+/// The half-edges along an edge while faces change: those of the mesh as it was that still run there, and new ones.
+class ChangingEdges {
+ public:
+  explicit ChangingEdges(const SurfaceMesh& mesh) : mesh_(mesh), topology_(build_topology(mesh)) {}
+
+  [[nodiscard]] std::vector<HalfEdge> uses_of(VertexId a, VertexId b) const {
+    const std::array<VertexId, 2> edge{std::min(a, b), std::max(a, b)};
+    std::vector<HalfEdge> uses;
+    const auto old = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), edge);
+    if (old != topology_.edges.end() && *old == edge) {
+      for (const HalfEdge h : topology_.uses_of(MeshEdgeId(static_cast<std::size_t>(old - topology_.edges.begin())))) uses.push_back(h);
+    }
+    if (const auto added = added_.find(edge); added != added_.end()) uses.insert(uses.end(), added->second.begin(), added->second.end());
+    std::sort(uses.begin(), uses.end());
+    uses.erase(std::unique(uses.begin(), uses.end()), uses.end());
+    uses.erase(std::remove_if(uses.begin(), uses.end(), [&](HalfEdge h) { return edge_of(h) != edge; }), uses.end());
+    return uses;
+  }
+
+  /// To be called when a face has got other vertices.
+  void add_face(FaceId f) {
+    const auto first = static_cast<HalfEdge>(3 * f.index());
+    for (HalfEdge h = first; h < first + 3; ++h) added_[edge_of(h)].push_back(h);
+  }
+
+ private:
+  [[nodiscard]] std::array<VertexId, 2> edge_of(HalfEdge h) const {
+    const VertexId a = origin_of(mesh_, h), b = origin_of(mesh_, next_in_face(h));
+    return {std::min(a, b), std::max(a, b)};
+  }
+
+  const SurfaceMesh& mesh_;
+  MeshTopology topology_;
+  std::map<std::array<VertexId, 2>, std::vector<HalfEdge>> added_;
+};
+
+/// Drops faces without area so that what was closed stays closed.
 ///
 ///        m                m
 ///      /   \            / | \ .
 ///     p-----q    ->    p  |  q     p q m has no area; the face p q w is cut at m
 ///      \   /            \ | /
 ///        w                w
-class DegenerateRound {
+///
+/// A face whose neighbour there has no area either waits until that has got some. Where no face gets any, as in a fold, the
+/// neighbour is cut all the same: the longest sides of the two become shorter.
+class DegenerateFaces {
  public:
-  explicit DegenerateRound(MeshInRepair& repair)
-      : repair_(repair),
-        mesh_(repair.mesh),
-        topology_(build_topology(repair.mesh)),
-        is_touched_(mesh_.triangles.size(), false),
-        is_kept_(mesh_.triangles.size(), true) {}
+  explicit DegenerateFaces(MeshInRepair& repair)
+      : repair_(repair), mesh_(repair.mesh), edges_(repair.mesh), is_kept_(repair.mesh.triangles.size(), true) {}
 
-  /// The faces it dropped, as they were given.
-  std::vector<std::uint32_t> run() {
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
-      if (is_kept_[f] && is_degenerate(mesh_, FaceId(f))) drop(FaceId(f));
+  void drop_all(const std::vector<FaceId>& faces) {
+    waiting_ = faces;
+    while (!waiting_.empty()) {
+      const std::vector<FaceId> round = std::exchange(waiting_, {});
+      bool any = false;
+      for (const FaceId f : round) any = drop_with_neighbours(f) || any;
+      if (!any) drop(round.front(), true);
     }
     keep_faces(repair_, is_kept_);
-    return std::move(dropped_);
   }
 
  private:
-  void drop(FaceId f) {
-    if (touches_changed(f)) return;
-    const std::uint32_t source = repair_.source[f.index()];
-    touch(f);
-    dropped_.push_back(source);
+  /// Drops the face if it can be dropped now, then those that waited for it.
+  bool drop_with_neighbours(FaceId first) {
+    std::vector<FaceId> stack{first};
+    bool any = false;
+    while (!stack.empty()) {
+      const FaceId f = stack.back();
+      stack.pop_back();
+      if (!is_to_drop(f)) {
+        any = any || f == first;
+        continue;
+      }
+      const Triangle corners = mesh_.triangles[f.index()];
+      if (!drop(f, false)) {
+        if (f == first) waiting_.push_back(f);
+        continue;
+      }
+      any = true;
+      for (std::size_t i = 0; i < 3; ++i) {
+        for (const HalfEdge h : edges_.uses_of(corners[i], corners[(i + 1) % 3])) stack.push_back(face_of(h));
+      }
+    }
+    return any;
+  }
+
+  [[nodiscard]] bool is_to_drop(FaceId f) const { return is_kept_[f.index()] && is_degenerate(mesh_, f); }
+
+  /// Is the face gone? Unless forced it stays when only faces without area could be cut.
+  bool drop(FaceId f, bool is_forced) {
+    if (!repeats_vertex(mesh_.triangles[f.index()])) {
+      const HalfEdge h = side_across_middle(f);
+      const std::vector<HalfEdge> others = others_on(h);
+      if (balance_beside(h, others) != 0) {
+        const HalfEdge across = best_partner(h, others);
+        if (!is_forced && is_degenerate(mesh_, face_of(across))) return false;
+        cut_partner(h, across);
+        return true;
+      }
+    }
     is_kept_[f.index()] = false;
-    if (repeats_vertex(mesh_.triangles[f.index()])) return;
-    const HalfEdge h = side_across_middle(f);
-    if (needs_partner(h)) cut_partner(h, partner_of(h));
+    return true;
   }
 
   /// The side whose ends have the third corner between them on their line.
@@ -61,74 +132,60 @@ class DegenerateRound {
     return first + 2;
   }
 
-  /// Do the other faces on the side not balance without this one?
-  [[nodiscard]] bool needs_partner(HalfEdge h) const {
-    int others = 0;
-    for (const HalfEdge use : topology_.uses_of(topology_.edge_of[h])) {
-      if (use != h) others += origin_of(mesh_, use) == origin_of(mesh_, h) ? 1 : -1;
+  [[nodiscard]] std::vector<HalfEdge> others_on(HalfEdge h) const {
+    std::vector<HalfEdge> others;
+    for (const HalfEdge use : edges_.uses_of(origin_of(mesh_, h), origin_of(mesh_, next_in_face(h)))) {
+      if (use != h && is_kept_[face_of(use).index()]) others.push_back(use);
     }
-    return others != 0;
+    return others;
   }
 
-  /// Another use of the side: rather one that runs back, rather one of a face with area.
-  [[nodiscard]] HalfEdge partner_of(HalfEdge h) const {
-    HalfEdge best = h;
+  [[nodiscard]] int balance_beside(HalfEdge h, const std::vector<HalfEdge>& others) const {
+    int balance = 0;
+    for (const HalfEdge use : others) balance += origin_of(mesh_, use) == origin_of(mesh_, h) ? 1 : -1;
+    return balance;
+  }
+
+  /// Rather one that runs back, as closed meshes need; of those rather a face with area.
+  [[nodiscard]] HalfEdge best_partner(HalfEdge h, const std::vector<HalfEdge>& others) const {
+    HalfEdge best = others.front();
     int best_rank = -1;
-    for (const HalfEdge use : topology_.uses_of(topology_.edge_of[h])) {
-      if (use == h) continue;
+    for (const HalfEdge use : others) {
       const int rank = (origin_of(mesh_, use) != origin_of(mesh_, h) ? 2 : 0) + (is_degenerate(mesh_, face_of(use)) ? 0 : 1);
-      if (rank > best_rank) {
-        best_rank = rank;
-        best = use;
-      }
+      if (rank <= best_rank) continue;
+      best_rank = rank;
+      best = use;
     }
     return best;
   }
 
   void cut_partner(HalfEdge h, HalfEdge across) {
-    const std::size_t f = face_of(h).index(), g = face_of(across).index();
+    const FaceId f = face_of(h), g = face_of(across);
     const VertexId middle = origin_of(mesh_, next_in_face(next_in_face(h)));
     const VertexId p = origin_of(mesh_, across), q = origin_of(mesh_, next_in_face(across));
     const VertexId w = origin_of(mesh_, next_in_face(next_in_face(across)));
-    touch(FaceId(g));
-    if (w == middle) {
-      is_kept_[g] = false;
-      dropped_.push_back(repair_.source[g]);
+    if (w == middle) {  // the same three vertices: they cancel
+      is_kept_[f.index()] = false;
+      is_kept_[g.index()] = false;
       return;
     }
-    mesh_.triangles[g] = {p, middle, w};
-    mesh_.triangles[f] = {middle, q, w};
-    is_kept_[f] = true;
-    repair_.source[f] = repair_.source[g];
-    if (!mesh_.face_labels.empty()) mesh_.face_labels[f] = mesh_.face_labels[g];
+    mesh_.triangles[g.index()] = {p, middle, w};
+    mesh_.triangles[f.index()] = {middle, q, w};
+    repair_.source[f.index()] = repair_.source[g.index()];
+    if (!mesh_.face_labels.empty()) mesh_.face_labels[f.index()] = mesh_.face_labels[g.index()];
+    for (const FaceId changed : {f, g}) {
+      edges_.add_face(changed);
+      if (is_degenerate(mesh_, changed)) waiting_.push_back(changed);
+    }
   }
 
   [[nodiscard]] const Vec3d& point(HalfEdge h) const { return mesh_.points[origin_of(mesh_, h).index()]; }
 
-  template <class Visit>
-  void for_each_use_round(FaceId f, Visit visit) const {
-    const auto first = static_cast<HalfEdge>(3 * f.index());
-    for (HalfEdge side = first; side < first + 3; ++side) {
-      if (!topology_.edge_of[side].is_valid()) continue;
-      for (const HalfEdge use : topology_.uses_of(topology_.edge_of[side])) visit(face_of(use).index());
-    }
-  }
-
-  // The topology is as before the changes: faces next to changed ones wait for the next round.
-  [[nodiscard]] bool touches_changed(FaceId f) const {
-    bool touches = is_touched_[f.index()];
-    for_each_use_round(f, [&](std::size_t g) { touches = touches || is_touched_[g]; });
-    return touches;
-  }
-  void touch(FaceId f) {
-    for_each_use_round(f, [&](std::size_t g) { is_touched_[g] = true; });
-  }
-
   MeshInRepair& repair_;
   SurfaceMesh& mesh_;
-  MeshTopology topology_;
-  std::vector<bool> is_touched_, is_kept_;
-  std::vector<std::uint32_t> dropped_;
+  ChangingEdges edges_;
+  std::vector<bool> is_kept_;
+  std::vector<FaceId> waiting_;
 };
 
 /// The vertices of a face in ascending order, and whether it runs round them so.
@@ -174,16 +231,13 @@ void drop_faces(MeshInRepair& repair, RepairStep step, const std::vector<FaceId>
 }  // namespace
 
 void drop_degenerate_faces(MeshInRepair& repair) {
-  RepairNote note{RepairStep::DropDegenerate, RepairOutcome::Done, 0, {}};
-  for (;;) {
-    const std::vector<std::uint32_t> dropped = DegenerateRound(repair).run();
-    if (dropped.empty()) break;
-    note.count += dropped.size();
-    for (const std::uint32_t source : dropped) note.faces.push_back(FaceId(source));
+  std::vector<FaceId> faces;
+  for (std::size_t f = 0; f < repair.mesh.triangles.size(); ++f) {
+    if (is_degenerate(repair.mesh, FaceId(f))) faces.push_back(FaceId(f));
   }
-  std::sort(note.faces.begin(), note.faces.end());
-  note.faces.erase(std::unique(note.faces.begin(), note.faces.end()), note.faces.end());
-  if (note.count != 0) repair.done.push_back(std::move(note));
+  if (faces.empty()) return;
+  add_note(repair, RepairStep::DropDegenerate, RepairOutcome::Done, faces.size(), faces);
+  DegenerateFaces(repair).drop_all(faces);
 }
 
 void drop_duplicate_faces(MeshInRepair& repair) {

@@ -14,6 +14,7 @@
 #include "mortise/base/error.h"
 #include "mortise/exact/predicates.h"
 #include "mortise/mesh/find_self_crossings.h"
+#include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/select_faces.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/validate.h"
@@ -47,9 +48,9 @@ void turn_up(SurfaceMesh& sheet) {
   std::vector<std::uint32_t> not_up, not_down;
   for (std::uint32_t f = 0; f < sheet.triangles.size(); ++f) {
     const Triangle& t = sheet.triangles[f];
-    const bool repeats = t[0] == t[1] || t[1] == t[2] || t[2] == t[0];
-    const Sign turn =
-        repeats ? Sign::Zero : orient2d(sheet.points[t[0].index()], sheet.points[t[1].index()], sheet.points[t[2].index()], Axis::Z);
+    const Sign turn = repeats_vertex(t)
+                          ? Sign::Zero
+                          : orient2d(sheet.points[t[0].index()], sheet.points[t[1].index()], sheet.points[t[2].index()], Axis::Z);
     if (turn != Sign::Positive) not_up.push_back(f);
     if (turn != Sign::Negative) not_down.push_back(f);
   }

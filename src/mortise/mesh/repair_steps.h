@@ -18,8 +18,6 @@ struct MeshInRepair {
   std::vector<RepairNote> done;
 };
 
-[[nodiscard]] inline bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
 /// Removes the faces that are not to be kept.
 void keep_faces(MeshInRepair& repair, const std::vector<bool>& is_kept);
 /// Adds a note about faces of the mesh as it is now, unless the count is zero.

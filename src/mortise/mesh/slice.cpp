@@ -14,6 +14,7 @@
 #include "mortise/base/error.h"
 #include "mortise/exact/double_double.h"
 #include "mortise/exact/plane_predicates.h"
+#include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/require_closed.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/validate.h"
@@ -37,8 +38,7 @@ void require_plane(const Plane& plane) {
 }
 
 void drop_repeating_faces(SurfaceMesh& mesh) {
-  const auto repeats = [](const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; };
-  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), repeats), mesh.triangles.end());
+  mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), repeats_vertex), mesh.triangles.end());
 }
 
 /// Follows the plane from face to face.

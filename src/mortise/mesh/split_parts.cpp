@@ -7,6 +7,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/mesh/find_regions.h"
+#include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/require_closed.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/validate.h"
@@ -16,8 +17,6 @@ namespace mortise {
 namespace {
 
 constexpr const char* stage = "split_parts";
-
-bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// The faces as lists, one for each number, in order.
 std::vector<std::vector<FaceId>> group_faces(const std::vector<FaceId>& faces, const std::vector<std::uint32_t>& number) {
