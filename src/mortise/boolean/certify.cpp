@@ -156,7 +156,14 @@ class Certifier {
     sort_round_edge_in_doubles(position(u), position(v), around);
     const bool is_exact_edge =
         std::all_of(group.begin(), group.end(), [&](const ResultEdge& e) { return has_exact_edge(e.triangle, u, v); });
-    if (!(is_exact_edge ? is_exact_order(u, v, around) : alternates(around))) fail(group[0].triangle, group[1].triangle);
+    if (!(is_exact_edge ? is_exact_order(u, v, around) : alternates(around))) fail_all(group);
+  }
+
+  // Which of them are to blame is not known; naming some by their numbers would make repair depend on these.
+  void fail_all(std::span<const ResultEdge> group) {
+    for (std::size_t i = 0; i < group.size(); ++i) {
+      for (std::size_t j = i + 1; j < group.size(); ++j) fail(group[i].triangle, group[j].triangle);
+    }
   }
 
   [[nodiscard]] TriangleAtEdge at_edge(FaceId t, VertexId u, VertexId v) const {
