@@ -106,11 +106,18 @@ TEST_CASE("both triangles belong to the face of the neighbour afterwards, with i
   }
 }
 
-TEST_CASE("a triangle higher than the reach is no sliver") {
-  MergedMesh merged = merged_box(height);
+TEST_CASE("a triangle higher than the reach of its place and than the least reach is no sliver") {
+  const double high = 0x1p-46;  // the reach where coordinates are one half is half of that
+  MergedMesh merged = merged_box(high);
   CHECK_FALSE(swap_slivers(the_sliver, height, merged));
-  CHECK(has_same_bits(merged.mesh, box_with_sliver(height)));
+  CHECK(has_same_bits(merged.mesh, box_with_sliver(high)));
   CHECK(merged.repair_displacement == 0);
+  CHECK(swap_slivers(the_sliver, 2 * high, merged));
+}
+
+TEST_CASE("the reach of its place is enough for a sliver") {
+  MergedMesh merged = merged_box(0x1p-48);
+  CHECK(swap_slivers(the_sliver, 0, merged));
 }
 
 TEST_CASE("slivers next to a failed triangle are swapped, others are not") {
