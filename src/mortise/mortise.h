@@ -6,6 +6,8 @@
 #include "mortise/base/error.h"
 #include "mortise/base/progress.h"
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/io/files.h"
 #include "mortise/io/formats.h"

@@ -65,16 +65,23 @@ MergedScene pinched_edge() {
           {joined({unit, moved(unit, {1, 1, 0})}), tetrahedron({-20, -20, -5}, {30, -20, -5}, {-20, 30, -5}, {1.1, 1.2, 0.7})}};
 }
 
-/// The edge of four triangles with at least one end that was rounded.
-std::array<VertexId, 2> crowded_edge(const MergedScene& scene) {
+/// The edges of so many triangles with at least one end that was rounded.
+std::vector<std::array<VertexId, 2>> edges_with(const MergedScene& scene, int triangles) {
   std::map<std::array<VertexId, 2>, int> count;
   for (const Triangle& t : scene.merged.mesh.triangles) {
     for (std::size_t i = 0; i < 3; ++i) ++count[{std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])}];
   }
+  std::vector<std::array<VertexId, 2>> edges;
   for (const auto& [edge, n] : count) {
-    if (n == 4 && (is_moved(scene, edge[0]) || is_moved(scene, edge[1]))) return edge;
+    if (n == triangles && (is_moved(scene, edge[0]) || is_moved(scene, edge[1]))) edges.push_back(edge);
   }
-  return {};
+  return edges;
+}
+
+/// The first such edge of four triangles.
+std::array<VertexId, 2> crowded_edge(const MergedScene& scene) {
+  const auto edges = edges_with(scene, 4);
+  return edges.empty() ? std::array<VertexId, 2>{} : edges.front();
 }
 
 }  // namespace
@@ -231,6 +238,31 @@ TEST_CASE("round an edge that a repair made, inside and outside must alternate")
   REQUIRE(around.size() == 4);
   std::swap((*around[0])[1], (*around[0])[2]);
   check_uncertified(certify_scene(scene));
+}
+
+TEST_CASE("round an edge of a partition that a repair made, every space must have one set of operands") {
+  // Two boxes side by side, cut off by a slanted face: three triangles round an edge with a made end.
+  MergedScene scene(Operation::Partition,
+                    {unit, moved(unit, {1, 0, 0}), tetrahedron({-20, -20, -5}, {30, -20, -5}, {-20, 30, -5}, {1.1, 1.2, 0.7})});
+  const auto fans = edges_with(scene, 3);
+  REQUIRE(!fans.empty());
+  for (const auto& edge : fans) {
+    const auto points = scene.merged.point_of_vertex;
+    for (std::size_t v = 0; v < points.size(); ++v) {
+      const VertexId other(v);
+      if (other != edge[0] && other != edge[1] && is_moved(scene, other))
+        scene.merged.point_of_vertex[edge[is_moved(scene, edge[0]) ? 0 : 1].index()] = points[v];
+    }
+    CHECK(certify_scene(scene).certificate.status == CertificateStatus::Certified);
+    for (std::size_t t = 0; t < scene.merged.mesh.triangles.size(); ++t) {
+      const Triangle& c = scene.merged.mesh.triangles[t];
+      if (std::count(c.begin(), c.end(), edge[0]) + std::count(c.begin(), c.end(), edge[1]) != 2) continue;
+      std::swap(scene.merged.provenance.covering[t], scene.merged.provenance.covering_front[t]);
+      check_uncertified(certify_scene(scene));
+      std::swap(scene.merged.provenance.covering[t], scene.merged.provenance.covering_front[t]);
+    }
+    scene.merged.point_of_vertex = points;
+  }
 }
 
 TEST_CASE("a shell that rounding turned inside out is found") {

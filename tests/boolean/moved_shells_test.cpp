@@ -72,6 +72,29 @@ TEST_CASE("shells of triangles connected through a vertex are one") {
   CHECK(turned_shells(scene).size() == 1);
 }
 
+TEST_CASE("the regions of a partition that hang together keep their sense, or lose it, together") {
+  for (const SurfaceMesh& other : {moved(unit, {1, 0, 0}), moved(unit, {0.5, 0.5, 0.5}), box({0.25, 0.25, 0}, {0.5, 0.5, 0.5})}) {
+    MergedScene scene(Operation::Partition, {unit, other});
+    CHECK(turned_shells(scene).empty());
+    mirror(scene.merged.mesh);
+    CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(0)});
+    CHECK(turned_shells(scene, {0}).empty());
+  }
+}
+
+TEST_CASE("regions inside a region keep their sense, or lose it") {
+  MergedScene scene(Operation::Partition, {box({-5, -5, -5}, {6, 6, 6}), unit, moved(unit, {1, 0, 0})});
+  CHECK(turned_shells(scene).empty());
+  mirror(scene.merged.mesh, 8);
+  CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(12)});
+}
+
+TEST_CASE("a region of a partition without volume in doubles is turned") {
+  MergedScene scene(Operation::Partition, {unit, box({1, 0, 0}, {2, 1, 1})});
+  for (Vec3d& p : scene.merged.mesh.points) p.x = std::min(p.x, 1.0);
+  CHECK(turned_shells(scene).size() == 1);
+}
+
 TEST_CASE("shells of results of random solids have their sense, whichever way they lie") {
   constexpr std::uint32_t seed = 3;
   INFO("seed " << seed);
@@ -79,8 +102,8 @@ TEST_CASE("shells of results of random solids have their sense, whichever way th
   std::size_t shells = 0;
   for (std::size_t i = 0, n = scaled_count(150, 10000); i < n; ++i) {
     INFO("case " << i);
-    const auto operation = static_cast<Operation>(random.below(3));
-    MergedScene scene(operation, {random.solid(3), random.solid(3)});
+    const std::array operations{Operation::Union, Operation::Intersect, Operation::Subtract, Operation::Partition};
+    MergedScene scene(operations[static_cast<std::size_t>(random.below(4))], {random.solid(3), random.solid(3)});
     CHECK(turned_shells(scene).empty());
     mirror(scene.merged.mesh);
     shells += turned_shells(scene).size();

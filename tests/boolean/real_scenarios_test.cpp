@@ -71,7 +71,7 @@ Loaded load(const ListedScene& scene) {
 BooleanResult check_evaluation(const Loaded& loaded, const Evaluation& evaluation) {
   std::vector<const SurfaceMesh*> operands;
   for (const std::size_t i : evaluation.order) operands.push_back(&loaded.operands[i]);
-  BooleanResult result = evaluate_boolean(evaluation.operation, operands);
+  BooleanResult result = evaluate_word(evaluation.word, operands);
   CHECK(faults_of_mesh(result) == "");
   // Rationals take their time: where instructions are slow only the small scenes are checked by them.
   if (!is_reduced_run() || loaded.triangles < 6000) CHECK(faults_of_provenance(operands, result, Repairs::Allowed) == "");

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mortise/mesh/shapes.h"
+#include "mortise/mesh/transform.h"
 #include "support/boolean_scenes.h"
 
 namespace mortise::test {
@@ -130,6 +131,12 @@ SurfaceMesh renumbered(const SurfaceMesh& mesh, RandomSource& random) {
   }
   random.shuffle(shuffled.triangles);
   return shuffled;
+}
+
+std::vector<SurfaceMesh> slightly_off(std::vector<SurfaceMesh> solids) {
+  const AffineMap turn = compose(rotation(Axis::X, 31), rotation(Axis::Z, 17));
+  for (SurfaceMesh& solid : solids) solid = transform(solid, turn);
+  return solids;
 }
 
 }  // namespace mortise::test

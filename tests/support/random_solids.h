@@ -37,4 +37,7 @@ class RandomSolids : public RandomSource {
 /// The same mesh with vertices and faces in another order and other first corners.
 [[nodiscard]] SurfaceMesh renumbered(const SurfaceMesh& mesh, RandomSource& random);
 
+/// Turned so that flush faces are so no more but for a few units in the last place: most contacts have to be repaired.
+[[nodiscard]] std::vector<SurfaceMesh> slightly_off(std::vector<SurfaceMesh> solids);
+
 }  // namespace mortise::test

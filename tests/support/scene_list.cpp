@@ -9,6 +9,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/keep_faces.h"
 #include "mortise/mesh/shape_by_name.h"
 #include "support/data.h"
 
@@ -46,7 +49,7 @@ std::vector<std::size_t> all_of(std::size_t count) {
 /// @param text  "subtract B A"
 Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
   const std::vector<std::string> words = words_of(text);
-  Evaluation evaluation{words.at(0), operation_from_name(words[0]), {}, "", "", "", ""};
+  Evaluation evaluation{words.at(0), words[0], {}, "", "", "", ""};
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto operand = static_cast<std::size_t>(words[i].at(0) - 'A');
     if (words[i].size() != 1 || operand >= operand_count) throw std::invalid_argument("no operand " + words[i]);
@@ -57,9 +60,10 @@ Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
   return evaluation;
 }
 
-/// @param text  "subtract B A = 6.41, parts 2"
+/// @param text  "subtract B A = 6.41, parts 2", or without figures
 Evaluation figures_of(const std::string& text, std::size_t operand_count) {
   const std::size_t equals = text.find(" = ");
+  if (equals == std::string::npos) return evaluation_of(text, operand_count);
   Evaluation evaluation = evaluation_of(text.substr(0, equals), operand_count);
   const std::vector<std::string> figures = split(text.substr(equals + 3), ',');
   evaluation.volume = figures.at(0);
@@ -90,13 +94,12 @@ void add_line(std::vector<ListedScene>& scenes, const std::string& text, std::si
     return;
   }
   scenes.back().evaluations.push_back(figures_of(trimmed(text), scenes.back().operands.size()));
-  scenes.back().has_figures = true;
+  scenes.back().has_figures = scenes.back().has_figures || !scenes.back().evaluations.back().volume.empty();
 }
 
 void complete(ListedScene& scene) {
-  if (scene.has_figures) return;
-  for (const char* operation : {"union", "intersect", "subtract"})
-    scene.evaluations.push_back(evaluation_of(operation, scene.operands.size()));
+  if (!scene.evaluations.empty()) return;
+  for (const std::string& word : default_words()) scene.evaluations.push_back(evaluation_of(word, scene.operands.size()));
 }
 
 std::vector<double> numbers_of(const std::vector<std::string>& words, std::size_t from) {
@@ -129,6 +132,17 @@ std::vector<ListedScene> listed_scenes() {
   while (!fs::is_regular_file(folder / "tests" / "scenes.txt") && folder != folder.parent_path()) folder = folder.parent_path();
   return read_scene_list((folder / "tests" / "scenes.txt").string());
 }
+
+BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands) {
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos) return evaluate_boolean(operation_from_name(word), operands);
+  const std::string kind = word.substr(0, colon), text = word.substr(colon + 1);
+  if (kind == "combine") return evaluate_expression(text, operands);
+  if (kind == "keep") return keep_faces(keep_mask(split(text, ',')), operands);
+  throw std::invalid_argument("no operation is called " + kind);
+}
+
+std::vector<std::string> default_words() { return {"union", "intersect", "subtract", "symmetric_difference", "partition"}; }
 
 SurfaceMesh load_operand(const std::string& text) {
   const std::vector<std::string> halves = split(text, ';');

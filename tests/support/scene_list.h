@@ -3,10 +3,11 @@
 // The scenes of tests/scenes.txt (its first lines say how it is written): operands, evaluations, printed figures.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
-#include "mortise/boolean/operation.h"
+#include "mortise/boolean/result.h"
 #include "mortise/mesh/surface_mesh.h"
 
 namespace mortise::test {
@@ -14,8 +15,8 @@ namespace mortise::test {
 /// One operation on operands of a scene, and what was printed of its result: as text, since its last digit says how exact it
 /// is; empty where nothing was.
 struct Evaluation {
-  std::string name;  ///< "union", "subtract-B-A"
-  Operation operation;
+  std::string name;                ///< "union", "subtract-B-A"
+  std::string word;                ///< the name of an operation, "combine:(a|b)&!c" or "keep:10,same": no spaces
   std::vector<std::size_t> order;  ///< of the operands
   std::string volume, area, genus, parts;
 };
@@ -34,6 +35,12 @@ struct ListedScene {
 
 /// The scenes of this repository: tests/scenes.txt in the current folder or above it.
 [[nodiscard]] std::vector<ListedScene> listed_scenes();
+
+/// What the word of an evaluation says, done with these operands.
+[[nodiscard]] BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands);
+
+/// The words of a scene without evaluations of its own.
+[[nodiscard]] std::vector<std::string> default_words();
 
 /// An operand as written: a generated shape or a file of the data, moved.
 [[nodiscard]] SurfaceMesh load_operand(const std::string& text);

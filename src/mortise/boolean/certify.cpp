@@ -156,7 +156,7 @@ class Certifier {
     sort_round_edge_in_doubles(position(u), position(v), around);
     const bool is_exact_edge =
         std::all_of(group.begin(), group.end(), [&](const ResultEdge& e) { return has_exact_edge(e.triangle, u, v); });
-    if (!(is_exact_edge ? is_exact_order(u, v, around) : alternates(around))) fail_all(group);
+    if (!(is_exact_edge ? is_exact_order(u, v, around) : spaces_follow(around))) fail_all(group);
   }
 
   // Which of them are to blame is not known; naming some by their numbers would make repair depend on these.
@@ -200,10 +200,19 @@ class Certifier {
                       [](const FacetAtEdge& a, const FacetAtEdge& b) { return a.facet == b.facet; });
   }
 
-  // Going round, one enters and leaves the result in turn.
-  static bool alternates(std::span<const TriangleAtEdge> around) {
+  // Going round, one comes out of a triangle into the space before the next. Where inner faces are kept, the operands of
+  // this space agree; else one enters and leaves the result in turn.
+  [[nodiscard]] bool spaces_follow(std::span<const TriangleAtEdge> around) const {
+    const Provenance& p = merged_.provenance;
+    const bool has_inner_faces = !p.covering_front.empty();
+    const auto agree = [&](const TriangleAtEdge& one, const TriangleAtEdge& next) {
+      if (!has_inner_faces) return one.is_forward != next.is_forward;
+      const auto& after = one.is_forward ? p.covering_front : p.covering;
+      const auto& before = next.is_forward ? p.covering : p.covering_front;
+      return after[one.triangle.index()] == before[next.triangle.index()];
+    };
     for (std::size_t i = 0; i < around.size(); ++i) {
-      if (around[i].is_forward == around[(i + 1) % around.size()].is_forward) return false;
+      if (!agree(around[i], around[(i + 1) % around.size()])) return false;
     }
     return true;
   }

@@ -11,10 +11,10 @@
 #include "mortise/base/stopwatch.h"
 #include "mortise/boolean/categorize.h"
 #include "mortise/boolean/certify_or_repair.h"
+#include "mortise/boolean/evaluate_selection.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
 #include "mortise/boolean/refuse_operands.h"
-#include "mortise/boolean/select.h"
 
 namespace mortise {
 namespace {
@@ -77,17 +77,18 @@ Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& opti
 
 }  // namespace
 
-BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+                                 const BooleanOptions& options) {
   BooleanResult result;
   BooleanReport& report = result.report;
   std::vector<StageTime>& times = report.stages;
-  if (operands.empty()) throw Error(ErrorCode::InvalidArgument, operation_name(operation), "at least one operand is needed");
+  if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
   report_progress(options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
   const Arrangement arrangement = arrange_until_simple(faces, options, times);
   refuse_operands(operands, faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
-  const Selection selection = timed(times, "select", [&] { return select(operation, faces, arrangement.facets, arrangement.categories); });
+  const Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
   MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
@@ -101,6 +102,13 @@ BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh*
   result.provenance = std::move(rounded.merged.provenance);
   report_progress(options.progress, "certify", 1);
   return result;
+}
+
+BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+  const auto selector = [operation](const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+    return select(operation, faces, facets, categories);
+  };
+  return evaluate_selection(operation_name(operation), selector, operands, options);
 }
 
 BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
@@ -117,6 +125,10 @@ BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const Boolean
 
 BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
   return evaluate_boolean(Operation::SymmetricDifference, std::array{&a, &b}, options);
+}
+
+BooleanResult partition(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Partition, std::array{&a, &b}, options);
 }
 
 }  // namespace mortise

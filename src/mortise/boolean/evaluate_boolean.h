@@ -17,7 +17,8 @@ struct BooleanOptions {
   std::uint64_t contact_memory = std::uint64_t{1} << 31;  ///< bytes the candidate pairs may take
 };
 
-/// The union, the intersection, the first operand minus all others, or what lies in an odd number of operands.
+/// The union, the intersection, the first operand minus all others, what lies in an odd number of operands, or the partition:
+/// the union with the faces inside it that separate regions of different operands, each of them once.
 ///
 /// Operands are solids: closed, oriented outwards, in any number (one resolves itself); vertices need not be shared. They
 /// may touch, coincide, contain one another, have cavities and cross themselves. A point is inside an operand where its
@@ -32,5 +33,6 @@ struct BooleanOptions {
 [[nodiscard]] BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 [[nodiscard]] BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 [[nodiscard]] BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult partition(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
 
 }  // namespace mortise

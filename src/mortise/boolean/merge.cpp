@@ -40,23 +40,40 @@ void add_facet(const OperandFaces& faces, const Facets& facets, const KeptFacet&
   }
 }
 
-// Equal sets are stored once, in the order of the first facet.
-void add_covering(const Selection& selection, Provenance& provenance) {
-  std::map<std::vector<OperandId>, std::uint32_t> number_of_set;
-  IdVector<RegionId, std::uint32_t> number_of_region(selection.operands_inside.size(), Provenance::none);
-  for (const KeptFacet& k : selection.kept) {
-    std::uint32_t& number = number_of_region[k.inside];
-    if (number == Provenance::none) {
-      const std::vector<OperandId>& operands = selection.operands_inside[k.inside];
-      const auto [found, is_new] = number_of_set.try_emplace(operands, static_cast<std::uint32_t>(provenance.covering_sets.size()));
-      number = found->second;
-      if (is_new) provenance.covering_sets.emplace_back();
-      for (const OperandId o : operands) {
-        if (is_new) provenance.covering_sets.back().push_back(o.value);
-      }
-    }
-    provenance.covering.push_back(number);
+// Numbers the sets of operands round the kept facets: equal ones are stored once, in the order of the first facet.
+class CoveringSets {
+ public:
+  CoveringSets(const Selection& selection, std::vector<std::vector<std::uint32_t>>& sets)
+      : selection_(selection), sets_(sets), number_of_region_(selection.operands_inside.size(), Provenance::none) {}
+
+  [[nodiscard]] std::uint32_t number_of(RegionId r) {
+    std::uint32_t& number = number_of_region_[r];
+    if (number != Provenance::none) return number;
+    const std::vector<OperandId>& operands = selection_.operands_inside[r];
+    const auto [found, is_new] = number_of_set_.try_emplace(operands, static_cast<std::uint32_t>(sets_.size()));
+    number = found->second;
+    if (!is_new) return number;
+    sets_.emplace_back();
+    for (const OperandId o : operands) sets_.back().push_back(o.value);
+    return number;
   }
+  [[nodiscard]] IdVector<RegionId, std::uint32_t> take() { return std::move(number_of_region_); }
+
+ private:
+  const Selection& selection_;
+  std::vector<std::vector<std::uint32_t>>& sets_;
+  std::map<std::vector<OperandId>, std::uint32_t> number_of_set_;
+  IdVector<RegionId, std::uint32_t> number_of_region_;
+};
+
+void add_covering(const Selection& selection, MergedMesh& merged) {
+  Provenance& provenance = merged.provenance;
+  CoveringSets sets(selection, provenance.covering_sets);
+  for (const KeptFacet& k : selection.kept) {
+    provenance.covering.push_back(sets.number_of(k.inside));
+    if (selection.keeps_inner_faces) provenance.covering_front.push_back(sets.number_of(k.outside));
+  }
+  merged.covering_of_region = sets.take();
 }
 
 void add_vertex_sources(const OperandFaces& faces, MergedMesh& merged) {
@@ -123,7 +140,7 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
     add_facet(faces, facets, k, merged.provenance);
   }
   merged.provenance.other_source_begin.push_back(static_cast<std::uint32_t>(merged.provenance.other_source_face.size()));
-  add_covering(selection, merged.provenance);
+  add_covering(selection, merged);
   add_vertex_sources(faces, merged);
   add_labels(operands, merged);
   return merged;

@@ -15,11 +15,12 @@ namespace mortise {
 struct MergedMesh {
   SurfaceMesh mesh;
   Provenance provenance;
-  std::vector<PointId> point_of_vertex;         ///< ascending: input points in the order of the operands, then made points
-  std::vector<KeptFacet> facet_of_triangle;     ///< ascending, up to repairs
-  std::vector<std::uint8_t> is_repaired;        ///< per triangle: a repair gave it other corners than its facet has
-  double repair_displacement = 0;               ///< the farthest any repair moved a point of the surface
-  std::vector<KeptFacet> facets_before_repair;  ///< facet_of_triangle before the first repair; empty when there was none
+  std::vector<PointId> point_of_vertex;                  ///< ascending: input points in the order of the operands, then made points
+  std::vector<KeptFacet> facet_of_triangle;              ///< ascending, up to repairs
+  std::vector<std::uint8_t> is_repaired;                 ///< per triangle: a repair gave it other corners than its facet has
+  double repair_displacement = 0;                        ///< the farthest any repair moved a point of the surface
+  std::vector<KeptFacet> facets_before_repair;           ///< facet_of_triangle before the first repair; empty when there was none
+  IdVector<RegionId, std::uint32_t> covering_of_region;  ///< number of its covering set; none away from kept facets
 };
 
 /// One mesh of the kept facets; vertices are the nearest doubles of their points (paper 6.3).

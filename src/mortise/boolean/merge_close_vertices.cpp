@@ -7,6 +7,8 @@
 #include <array>
 #include <tuple>
 
+#include "mortise/boolean/join_coincident.h"
+#include "mortise/boolean/keep_triangles.h"
 #include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 
@@ -147,62 +149,6 @@ std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles)
   return remains;
 }
 
-template <class T>
-void keep_marked(std::vector<T>& values, const std::vector<std::uint8_t>& is_kept) {
-  if (values.empty()) return;
-  std::size_t next = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (is_kept[i] != 0) values[next++] = values[i];
-  }
-  values.resize(next);
-}
-
-void keep_other_sources(Provenance& p, const std::vector<std::uint8_t>& is_kept) {
-  std::vector<std::uint8_t> keeps_entry(p.other_source_face.size(), 0);
-  std::vector<std::uint32_t> begin{0};
-  for (std::size_t t = 0; t < is_kept.size(); ++t) {
-    if (is_kept[t] == 0) continue;
-    const std::uint32_t count = p.other_source_begin[t + 1] - p.other_source_begin[t];
-    std::fill_n(keeps_entry.begin() + p.other_source_begin[t], count, std::uint8_t{1});
-    begin.push_back(begin.back() + count);
-  }
-  keep_marked(p.other_source_operand, keeps_entry);
-  keep_marked(p.other_source_face, keeps_entry);
-  p.other_source_begin = std::move(begin);
-}
-
-void keep_triangles(MergedMesh& merged, const std::vector<std::uint8_t>& is_kept) {
-  keep_other_sources(merged.provenance, is_kept);
-  keep_marked(merged.mesh.triangles, is_kept);
-  keep_marked(merged.mesh.face_labels, is_kept);
-  keep_marked(merged.facet_of_triangle, is_kept);
-  keep_marked(merged.is_repaired, is_kept);
-  keep_marked(merged.provenance.source_operand, is_kept);
-  keep_marked(merged.provenance.source_face, is_kept);
-  keep_marked(merged.provenance.flipped, is_kept);
-  keep_marked(merged.provenance.category, is_kept);
-  keep_marked(merged.provenance.covering, is_kept);
-}
-
-void drop_unused_vertices(MergedMesh& merged) {
-  std::vector<std::uint8_t> is_used(merged.mesh.points.size(), 0);
-  for (const Triangle& t : merged.mesh.triangles) {
-    for (const VertexId v : t) is_used[v.index()] = 1;
-  }
-  std::vector<VertexId> renamed(is_used.size());
-  std::uint32_t next = 0;
-  for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (is_used[v] != 0) renamed[v] = VertexId(next++);
-  }
-  for (Triangle& t : merged.mesh.triangles) {
-    for (VertexId& v : t) v = renamed[v.index()];
-  }
-  keep_marked(merged.mesh.points, is_used);
-  keep_marked(merged.point_of_vertex, is_used);
-  keep_marked(merged.provenance.vertex_operand, is_used);
-  keep_marked(merged.provenance.vertex_source, is_used);
-}
-
 }  // namespace
 
 bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
@@ -213,8 +159,11 @@ bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair>
   if (!any) return false;
   note_facets_before_repair(merged);
   replace_corners(replacement, merged);
-  keep_triangles(merged, find_remaining(merged.mesh.triangles));
-  drop_unused_vertices(merged);
+  const bool has_inner_faces = !merged.provenance.covering_front.empty();
+  const std::vector<std::uint8_t> remains = has_inner_faces ? join_coincident(merged) : find_remaining(merged.mesh.triangles);
+  keep_marked(merged.facet_of_triangle, remains);
+  keep_marked(merged.is_repaired, remains);
+  keep_marked(merged.point_of_vertex, keep_triangles(remains, merged.mesh, merged.provenance));
   return true;
 }
 

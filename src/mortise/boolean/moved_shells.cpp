@@ -4,6 +4,7 @@
 #include "mortise/boolean/moved_shells.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 #include <utility>
 
@@ -39,11 +40,11 @@ std::vector<std::vector<FaceId>> moved_shells(const SurfaceMesh& mesh, const std
   return result;
 }
 
-double volume_of(const SurfaceMesh& mesh, std::span<const FaceId> shell) {
+double volume_of(const SurfaceMesh& mesh, std::span<const Triangle> triangles) {
   SurfaceMesh part;
-  for (const FaceId t : shell) {
+  for (const Triangle& t : triangles) {
     const auto first = static_cast<std::uint32_t>(part.points.size());
-    for (const VertexId v : mesh.triangles[t.index()]) part.points.push_back(mesh.points[v.index()]);
+    for (const VertexId v : t) part.points.push_back(mesh.points[v.index()]);
     part.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
   }
   return enclosed_volume(part);
@@ -98,6 +99,24 @@ class ExactShell {
       : faces_(faces), facets_(facets), shell_(shell) {}
 
   [[nodiscard]] bool is_outward() const {
+    const auto [facet, is_front_outside] = look();
+    return is_front_outside != facet.is_flipped;
+  }
+
+  /// The region outside the shell.
+  [[nodiscard]] RegionId surrounding() const {
+    const auto [facet, is_front_outside] = look();
+    return is_front_outside == facet.is_flipped ? facet.inside : facet.outside;
+  }
+
+ private:
+  struct Sight {
+    KeptFacet facet;
+    bool is_front_outside;
+  };
+
+  // The first facet met from outside.
+  [[nodiscard]] Sight look() const {
     const PointId v = smallest_point();
     const PointId p = lowest_neighbour(v);
     std::vector<FacetAtEdge> around;
@@ -106,10 +125,9 @@ class ExactShell {
     }
     const FacetAtEdge first = first_after_minus_y(faces_, around);
     const auto at = std::find_if(shell_.begin(), shell_.end(), [&](const KeptFacet& k) { return k.facet == first.facet; });
-    return first.is_front_after() == at->is_flipped;
+    return {*at, !first.is_front_after()};
   }
 
- private:
   [[nodiscard]] const PlanePoints& corners(const KeptFacet& k) const { return facets_.corners[k.facet]; }
   static bool has(const PlanePoints& c, PointId p) { return std::find(c.begin(), c.end(), p) != c.end(); }
 
@@ -149,16 +167,43 @@ class ExactShell {
   std::span<const KeptFacet> shell_;
 };
 
+// Does the one volume a shell encloses have its exact sign?
+bool keeps_sense(const MergedMesh& merged, std::span<const FaceId> shell, const ExactShell& exact) {
+  std::vector<Triangle> triangles;
+  for (const FaceId f : shell) triangles.push_back(merged.mesh.triangles[f.index()]);
+  const double volume = volume_of(merged.mesh, triangles);
+  return exact.is_outward() ? volume > 0 : volume < 0;
+}
+
+// With inner faces: do the spaces of each set of operands have volume, and the surrounding one, turned outside in, less than none?
+bool keeps_senses(const MergedMesh& merged, std::span<const FaceId> shell, const ExactShell& exact) {
+  const Provenance& p = merged.provenance;
+  std::map<std::uint32_t, std::vector<Triangle>> boundary;  // by covering set, the space behind its triangles
+  for (const FaceId f : shell) {
+    const Triangle& t = merged.mesh.triangles[f.index()];
+    const std::uint32_t behind = p.covering[f.index()], in_front = p.covering_front[f.index()];
+    if (behind == in_front) continue;
+    boundary[behind].push_back(t);
+    boundary[in_front].push_back({t[0], t[2], t[1]});
+  }
+  const std::uint32_t surrounding = merged.covering_of_region[exact.surrounding()];
+  return std::all_of(boundary.begin(), boundary.end(), [&](const auto& space) {
+    const double volume = volume_of(merged.mesh, space.second);
+    return space.first == surrounding ? volume < 0 : volume > 0;
+  });
+}
+
 }  // namespace
 
 std::vector<FaceId> find_turned_shells(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,
                                        const std::vector<std::uint8_t>& is_moved) {
+  const bool has_inner_faces = !merged.provenance.covering_front.empty();
   std::vector<FaceId> turned;
   ExactSurface surface(faces, facets, merged);
   for (const std::vector<FaceId>& shell : moved_shells(merged.mesh, is_moved)) {
-    const double volume = volume_of(merged.mesh, shell);
-    const bool is_outward = ExactShell(faces, facets, surface.facets_of(shell)).is_outward();
-    if (!(is_outward ? volume > 0 : volume < 0)) turned.push_back(shell.front());
+    const std::vector<KeptFacet> kept = surface.facets_of(shell);
+    const ExactShell exact(faces, facets, kept);
+    if (!(has_inner_faces ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact))) turned.push_back(shell.front());
   }
   return turned;
 }

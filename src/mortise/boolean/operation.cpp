@@ -19,12 +19,15 @@ std::string_view operation_name(Operation operation) {
       return "subtract";
     case Operation::SymmetricDifference:
       return "symmetric_difference";
+    case Operation::Partition:
+      return "partition";
   }
   return "";
 }
 
 Operation operation_from_name(std::string_view name) {
-  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract, Operation::SymmetricDifference}) {
+  for (const Operation operation :
+       {Operation::Union, Operation::Intersect, Operation::Subtract, Operation::SymmetricDifference, Operation::Partition}) {
     if (name == operation_name(operation)) return operation;
   }
   throw Error(ErrorCode::InvalidArgument, "evaluate_boolean", "no operation has this name: " + std::string(name));

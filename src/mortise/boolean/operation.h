@@ -13,9 +13,10 @@ enum class Operation : std::uint8_t {
   Intersect,            ///< inside all operands
   Subtract,             ///< inside the first operand and no other
   SymmetricDifference,  ///< inside an odd number of operands
+  Partition,            ///< inside any operand, regions of different operands kept apart (the paper's non-regularized union)
 };
 
-/// "union", "intersect", "subtract", "symmetric_difference".
+/// "union", "intersect", "subtract", "symmetric_difference", "partition".
 [[nodiscard]] std::string_view operation_name(Operation operation);
 
 /// The operation of that name.

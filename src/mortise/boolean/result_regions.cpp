@@ -4,30 +4,125 @@
 #include "mortise/boolean/result_regions.h"
 
 #include <algorithm>
+#include <map>
+#include <utility>
 
+#include "mortise/base/bits.h"
+#include "mortise/mesh/find_cells.h"
 #include "mortise/mesh/find_regions.h"
 
 namespace mortise {
+namespace {
 
-ResultRegions find_result_regions(const BooleanResult& result) {
-  const MeshRegions found = find_regions(result.mesh);
-  ResultRegions regions;
-  regions.region_of_facet = found.region_of_face;
-  for (const MeshRegion& r : found.regions) regions.regions.push_back({{}, r.volume, r.area});
+// Does every edge run as often one way as the other? By two sums of 64 bits, which other edges do not cancel by chance.
+bool is_balanced(const SurfaceMesh& mesh) {
+  std::uint64_t sum = 0, other_sum = 0;
+  for (const Triangle& t : mesh.triangles) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t u = t[i].value, v = t[(i + 1) % 3].value;
+      const std::uint64_t edge = (std::uint64_t{std::min(u, v)} << 32U) | std::max(u, v);
+      const std::uint64_t bits = mixed_bits(edge), other_bits = mixed_bits(~edge);
+      sum += u < v ? bits : -bits;
+      other_sum += u < v ? other_bits : -other_bits;
+    }
+  }
+  return sum == 0 && other_sum == 0;
+}
+
+// Operands that contain the region behind any of its facets.
+void add_operands(const Provenance& provenance, ResultRegions& regions) {
   std::vector<std::pair<std::uint32_t, std::uint32_t>> covered;  // region, covering set
-  for (std::size_t f = 0; f < found.region_of_face.size(); ++f)
-    covered.emplace_back(found.region_of_face[f], result.provenance.covering[f]);
+  for (std::size_t f = 0; f < regions.region_of_facet.size(); ++f) covered.emplace_back(regions.region_of_facet[f], provenance.covering[f]);
   std::sort(covered.begin(), covered.end());
   covered.erase(std::unique(covered.begin(), covered.end()), covered.end());
   for (const auto& [region, set] : covered) {
-    const std::vector<std::uint32_t>& operands = result.provenance.covering_sets[set];
+    const std::vector<std::uint32_t>& operands = provenance.covering_sets[set];
     regions.regions[region].operands.insert(regions.regions[region].operands.end(), operands.begin(), operands.end());
   }
   for (ResultRegion& r : regions.regions) {
     std::sort(r.operands.begin(), r.operands.end());
     r.operands.erase(std::unique(r.operands.begin(), r.operands.end()), r.operands.end());
   }
+}
+
+ResultRegions regions_of_boolean(const BooleanResult& result) {
+  const MeshRegions found = find_regions(result.mesh);
+  ResultRegions regions;
+  regions.region_of_facet = found.region_of_face;
+  for (const MeshRegion& r : found.regions) regions.regions.push_back({{}, r.volume, r.area});
+  add_operands(result.provenance, regions);
   return regions;
+}
+
+// A cell and the operands round it make a region; where no repair went wrong a cell has one such set.
+class PartitionRegions {
+ public:
+  explicit PartitionRegions(const BooleanResult& result) : provenance_(result.provenance), cells_(find_cells(result.mesh)) {}
+
+  [[nodiscard]] ResultRegions find() {
+    for (std::size_t f = 0; f < cells_.behind.size(); ++f) {
+      regions_.region_of_facet.push_back(region(cells_.behind[f], provenance_.covering[f]));
+      regions_.region_in_front.push_back(region(cells_.in_front[f], provenance_.covering_front[f]));
+    }
+    return std::move(regions_);
+  }
+
+ private:
+  std::uint32_t region(std::uint32_t cell, std::uint32_t covering) {
+    const std::vector<std::uint32_t>& operands = provenance_.covering_sets[covering];
+    const bool is_void = operands.empty();
+    const auto set_of_cell = set_of_cell_.try_emplace(cell, covering).first->second;
+    if (set_of_cell != covering || (cell == MeshCells::unbounded && !is_void)) regions_.is_closed = false;
+    if (is_void) return ResultRegions::none;
+    const auto number = static_cast<std::uint32_t>(regions_.regions.size());
+    const auto [found, is_new] = number_.try_emplace({cell, covering}, number);
+    if (is_new) regions_.regions.push_back({operands, cells_.cells[cell].volume, cells_.cells[cell].area});
+    return found->second;
+  }
+
+  const Provenance& provenance_;
+  MeshCells cells_;
+  ResultRegions regions_;
+  std::map<std::uint32_t, std::uint32_t> set_of_cell_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_;
+};
+
+}  // namespace
+
+double ResultRegions::total_volume() const {
+  double sum = 0;
+  for (const ResultRegion& r : regions) sum += r.volume;
+  return sum;
+}
+
+ResultRegions find_result_regions(const BooleanResult& result) {
+  if (!result.provenance.covering_front.empty()) return PartitionRegions(result).find();
+  if (is_balanced(result.mesh)) return regions_of_boolean(result);
+  ResultRegions open;
+  open.region_of_facet.assign(result.mesh.triangles.size(), ResultRegions::none);
+  open.is_closed = false;
+  return open;
+}
+
+SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region) {
+  SurfaceMesh mesh;
+  std::vector<VertexId> vertex(result.mesh.points.size());
+  const auto add = [&](const Triangle& t) {
+    for (const VertexId v : t) {
+      if (vertex[v.index()].is_valid()) continue;
+      vertex[v.index()] = VertexId(mesh.points.size());
+      mesh.points.push_back(result.mesh.points[v.index()]);
+    }
+    mesh.triangles.push_back({vertex[t[0].index()], vertex[t[1].index()], vertex[t[2].index()]});
+  };
+  for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) {
+    const Triangle& t = result.mesh.triangles[f];
+    const bool is_behind = regions.region_of_facet[f] == region;
+    const bool is_in_front = !regions.region_in_front.empty() && regions.region_in_front[f] == region;
+    if (is_behind == is_in_front) continue;
+    add(is_behind ? t : Triangle{t[0], t[2], t[1]});
+  }
+  return mesh;
 }
 
 }  // namespace mortise

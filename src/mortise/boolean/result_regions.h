@@ -17,12 +17,23 @@ struct ResultRegion {
 };
 
 struct ResultRegions {
-  std::vector<std::uint32_t> region_of_facet;  ///< the region behind it; in front of it is none
+  static constexpr std::uint32_t none = 0xffffffffU;  ///< outside the result
+
+  std::vector<std::uint32_t> region_of_facet;  ///< the region behind it; none in an open result
+  std::vector<std::uint32_t> region_in_front;  ///< of a partition: the region in front of it, or none; else empty
   std::vector<ResultRegion> regions;           ///< in the order of their lowest facets
+  bool is_closed = true;                       ///< the facets round every region, each on its side, balance at every edge
+
+  /// In the order of the regions.
+  [[nodiscard]] double total_volume() const;
 };
 
-/// Connected solids of a certified result; bodies that touch in an edge or a corner are two.
+/// Connected solids of a certified result; bodies that touch in an edge or a corner are two. Of a partition, pieces of space
+/// that different operands contain; void cavities are no regions. An open result (keep_faces) has none.
 /// O(n log n) in facets.
 [[nodiscard]] ResultRegions find_result_regions(const BooleanResult& result);
+
+/// The boundary of one region as a mesh of its own, the region behind its faces.
+[[nodiscard]] SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region);
 
 }  // namespace mortise

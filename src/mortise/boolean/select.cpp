@@ -10,6 +10,7 @@ namespace mortise {
 bool is_inside_result(Operation operation, const RunningWinding& winding) {
   switch (operation) {
     case Operation::Union:
+    case Operation::Partition:
       return winding.inside_count() > 0;
     case Operation::Intersect:
       return winding.inside_count() == winding.operand_count();
@@ -49,6 +50,29 @@ std::vector<OperandId> operands_inside(const RunningWinding& winding) {
   return inside;
 }
 
+// No facet yet; who contains each region.
+Selection with_all_coverings(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  Selection selection;
+  selection.operands_inside.resize(categories.patches.region_count);
+  walk_regions(faces, facets, categories, [&](RegionId r, const RunningWinding& w) { selection.operands_inside[r] = operands_inside(w); });
+  return selection;
+}
+
+// How many operands but for its own contain a facet that coincides with no other operand.
+std::uint32_t count_others(const std::vector<OperandId>& front, const std::vector<OperandId>& back, OperandId own) {
+  const bool winds_twice = std::binary_search(front.begin(), front.end(), own) && std::binary_search(back.begin(), back.end(), own);
+  return static_cast<std::uint32_t>(std::min(front.size(), back.size())) - (winds_twice ? 1 : 0);
+}
+
+KeptFacet kept_as_it_is(const OperandFaces& faces, const Facets& facets, const Patches& patches, const Selection& selection, FacetId f) {
+  const RegionId front = patches.front[patches.patch_of_facet[f]];
+  const RegionId back = patches.back[patches.patch_of_facet[f]];
+  const auto sources = facets.sources_of(f);
+  const std::uint32_t others =
+      count_others(selection.operands_inside[front], selection.operands_inside[back], faces.operand[sources.front().face]);
+  return {f, false, category_of(faces, sources, others), back, front};
+}
+
 }  // namespace
 
 Selection select(const InsideRule& is_inside, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
@@ -66,14 +90,49 @@ Selection select(const InsideRule& is_inside, const OperandFaces& faces, const F
     const RegionId back = patches.back[patches.patch_of_facet[f]];
     if (notes[front].is_inside == notes[back].is_inside) continue;
     const std::uint32_t others = std::min(notes[front].inside_count, notes[back].inside_count);
-    selection.kept.push_back(
-        {f, notes[front].is_inside, category_of(faces, facets.sources_of(f), others), notes[front].is_inside ? front : back});
+    const FacetCategory category = category_of(faces, facets.sources_of(f), others);
+    const bool is_flipped = notes[front].is_inside;
+    selection.kept.push_back({f, is_flipped, category, is_flipped ? front : back, is_flipped ? back : front});
   }
   return selection;
 }
 
 Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  if (operation == Operation::Partition) return select_partition(faces, facets, categories);
   return select([operation](const RunningWinding& w) { return is_inside_result(operation, w); }, faces, facets, categories);
+}
+
+Selection select_partition(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  const Patches& patches = categories.patches;
+  Selection selection = with_all_coverings(faces, facets, categories);
+  selection.keeps_inner_faces = true;
+  IdVector<PatchId, std::uint8_t> separates;
+  for (std::size_t p = 0; p < patches.first_facet.size(); ++p) {
+    const PatchId patch(p);
+    separates.push_back(selection.operands_inside[patches.front[patch]] != selection.operands_inside[patches.back[patch]] ? 1 : 0);
+  }
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const FacetId f(i);
+    if (separates[patches.patch_of_facet[f]] == 0) continue;
+    KeptFacet kept = kept_as_it_is(faces, facets, patches, selection, f);
+    if (selection.operands_inside[kept.inside].empty()) {
+      kept.is_flipped = true;
+      std::swap(kept.inside, kept.outside);
+    }
+    selection.kept.push_back(kept);
+  }
+  return selection;
+}
+
+Selection select_cut_faces(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  Selection selection = with_all_coverings(faces, facets, categories);
+  selection.keeps_inner_faces = true;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const FacetId f(i);
+    if (jumps_of(faces, facets, f).empty()) continue;
+    selection.kept.push_back(kept_as_it_is(faces, facets, categories.patches, selection, f));
+  }
+  return selection;
 }
 
 }  // namespace mortise

@@ -17,12 +17,14 @@ struct KeptFacet {
   FacetId facet;
   bool is_flipped = false;  ///< the inside of the result lies in front of the facet
   FacetCategory category = FacetCategory::Outside;
-  RegionId inside;  ///< on its inner side
+  RegionId inside;     ///< on its inner side
+  RegionId outside{};  ///< on its other side
 };
 
 struct Selection {
   std::vector<KeptFacet> kept;                                 ///< ascending
   IdVector<RegionId, std::vector<OperandId>> operands_inside;  ///< operands that contain a region of the result; else empty
+  bool keeps_inner_faces = false;                              ///< both sides of a facet may belong to the result
 };
 
 /// Does a region with these windings belong to the result?
@@ -35,5 +37,11 @@ using InsideRule = std::function<bool(const RunningWinding&)>;
 /// O(facets + regions).
 [[nodiscard]] Selection select(const InsideRule& is_inside, const OperandFaces& faces, const Facets& facets, const Categories& categories);
 [[nodiscard]] Selection select(Operation operation, const OperandFaces& faces, const Facets& facets, const Categories& categories);
+
+/// The facets on whose sides different operands are: those of the union, and those between its regions.
+[[nodiscard]] Selection select_partition(const OperandFaces& faces, const Facets& facets, const Categories& categories);
+
+/// The facets that change any winding, none flipped.
+[[nodiscard]] Selection select_cut_faces(const OperandFaces& faces, const Facets& facets, const Categories& categories);
 
 }  // namespace mortise

@@ -132,6 +132,7 @@ class SliverSwapper {
     p.flipped[t.index()] = p.flipped[n.index()];
     p.category[t.index()] = p.category[n.index()];
     p.covering[t.index()] = p.covering[n.index()];
+    if (!p.covering_front.empty()) p.covering_front[t.index()] = p.covering_front[n.index()];
     copy_other_sources(t, n);
     swapped_.push_back(t);
     swapped_.push_back(n);

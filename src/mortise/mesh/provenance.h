@@ -24,8 +24,9 @@ struct Provenance {
   std::vector<FacetCategory> category;                    ///< per facet
   std::vector<std::uint32_t> covering;                    ///< per facet: index into covering_sets
   std::vector<std::vector<std::uint32_t>> covering_sets;  ///< operands that contain the space just behind a facet, ascending
-  std::vector<std::uint32_t> other_source_begin;          ///< CSR: facet count + 1 offsets into the two arrays below
-  std::vector<std::uint32_t> other_source_operand;        ///< further sources that coincide with a facet
+  std::vector<std::uint32_t> covering_front;      ///< where inner faces are kept (a partition), else empty: the same for the space in front
+  std::vector<std::uint32_t> other_source_begin;  ///< CSR: facet count + 1 offsets into the two arrays below
+  std::vector<std::uint32_t> other_source_operand;  ///< further sources that coincide with a facet
   std::vector<std::uint32_t> other_source_face;
   std::vector<std::uint32_t> vertex_operand;  ///< per vertex: operand of its source vertex, or none
   std::vector<std::uint32_t> vertex_source;   ///< per vertex: vertex of that operand, or none for a made vertex

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Takes a mesh apart where it touches itself: pairs the faces round crowded edges by exact radial order, then joins corners.
+// Takes a mesh apart where it touches itself: pairs the faces round crowded edges, then joins corners.
 #include <algorithm>
 #include <utility>
 
-#include "mortise/exact/predicates.h"
+#include "mortise/mesh/order_round_edge.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/wedge_partners.h"
 
@@ -13,50 +13,13 @@ namespace {
 
 using HalfEdgePair = std::pair<HalfEdge, HalfEdge>;
 
-/// Order of half-planes counterclockwise about the edge from u to v, from the first one that has a direction.
-class RadialOrder {
- public:
-  RadialOrder(const SurfaceMesh& mesh, const std::array<VertexId, 2>& edge, std::span<const HalfEdge> uses)
-      : mesh_(mesh), u_(mesh.points[edge[0].index()]), v_(mesh.points[edge[1].index()]) {
-    for (const HalfEdge h : uses) {
-      reference_ = apex_of(h);
-      axis_ = projection_axis(u_, v_, reference_);
-      if (axis_) break;
-    }
-  }
-
-  [[nodiscard]] bool comes_before(HalfEdge a, HalfEdge b) const {
-    const int sector_a = sector_of(a);
-    const int sector_b = sector_of(b);
-    if (sector_a != sector_b) return sector_a < sector_b;
-    const Sign turn = sector_a % 2 == 0 ? Sign::Zero : orient3d(u_, v_, apex_of(a), apex_of(b));
-    return turn == Sign::Zero ? a < b : turn == Sign::Positive;
-  }
-
- private:
-  [[nodiscard]] const Vec3d& apex_of(HalfEdge h) const { return mesh_.points[origin_of(mesh_, next_in_face(next_in_face(h))).index()]; }
-
-  /// 0: along the reference, or without a direction; 1: less than half a turn on; 2: opposite; 3: more than half a turn.
-  [[nodiscard]] int sector_of(HalfEdge h) const {
-    if (!axis_) return 0;
-    const Sign side = orient3d(u_, v_, reference_, apex_of(h));
-    if (side != Sign::Zero) return side == Sign::Positive ? 1 : 3;
-    return orient2d(u_, v_, apex_of(h), *axis_) == -orient2d(u_, v_, reference_, *axis_) ? 2 : 0;
-  }
-
-  const SurfaceMesh& mesh_;
-  Vec3d u_, v_, reference_;
-  std::optional<Axis> axis_;
-};
-
 /// Pairs the faces that bound one wedge of the inside. Going round the edge counterclockwise, a face that runs against it
 /// enters the inside and a face that runs along it leaves: pairs are matching brackets, cyclically.
 void pair_by_wedges(const SurfaceMesh& mesh, const MeshTopology& topology, MeshEdgeId e, std::vector<HalfEdgePair>& pairs) {
   const std::span<const HalfEdge> uses = topology.uses_of(e);
   const std::array<VertexId, 2>& edge = topology.edges[e.index()];
-  const RadialOrder order(mesh, edge, uses);
   std::vector<HalfEdge> round(uses.begin(), uses.end());
-  std::sort(round.begin(), round.end(), [&](HalfEdge a, HalfEdge b) { return order.comes_before(a, b); });
+  sort_round_edge(mesh, edge, round);
   std::vector<HalfEdge> entered;
   std::vector<bool> is_paired(round.size(), false);
   for (std::size_t step = 0; step < 2 * round.size(); ++step) {

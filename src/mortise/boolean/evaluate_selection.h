@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// The pipeline round one way of choosing facets: what every public function of this folder calls.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <string_view>
+
+#include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/select.h"
+
+namespace mortise {
+
+/// Chooses the facets of the result.
+using Selector = std::function<Selection(const OperandFaces&, const Facets&, const Categories&)>;
+
+/// Arranges the operands, chooses, merges, certifies.
+///
+/// @param name  of the operation, for errors about the call as a whole
+/// @throws what evaluate_boolean does, and what `select` does
+[[nodiscard]] BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+                                               const BooleanOptions& options);
+
+}  // namespace mortise

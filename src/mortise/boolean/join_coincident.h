@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Triangles with spaces on both sides, as in a partition, that a repair put on the same corners become one, or none.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mortise/boolean/merge.h"
+
+namespace mortise {
+
+/// Which triangles remain: not those with a corner twice; of those on the same corners the lowest, with the spaces on the far
+/// sides of them all and the sources of them all, unless these spaces are in the same operands.
+///
+/// @param merged  with both its coverings
+/// @return per triangle 1 or 0; `merged` keeps all triangles
+[[nodiscard]] std::vector<std::uint8_t> join_coincident(MergedMesh& merged);
+
+}  // namespace mortise

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Compaction of parallel arrays.
+#include "mortise/boolean/keep_triangles.h"
+
+#include <algorithm>
+
+namespace mortise {
+namespace {
+
+void keep_other_sources(Provenance& p, const std::vector<std::uint8_t>& is_kept) {
+  std::vector<std::uint8_t> keeps_entry(p.other_source_face.size(), 0);
+  std::vector<std::uint32_t> begin{0};
+  for (std::size_t t = 0; t < is_kept.size(); ++t) {
+    if (is_kept[t] == 0) continue;
+    const std::uint32_t count = p.other_source_begin[t + 1] - p.other_source_begin[t];
+    std::fill_n(keeps_entry.begin() + p.other_source_begin[t], count, std::uint8_t{1});
+    begin.push_back(begin.back() + count);
+  }
+  keep_marked(p.other_source_operand, keeps_entry);
+  keep_marked(p.other_source_face, keeps_entry);
+  p.other_source_begin = std::move(begin);
+}
+
+std::vector<std::uint8_t> drop_unused_vertices(SurfaceMesh& mesh, Provenance& provenance) {
+  std::vector<std::uint8_t> is_used(mesh.points.size(), 0);
+  for (const Triangle& t : mesh.triangles) {
+    for (const VertexId v : t) is_used[v.index()] = 1;
+  }
+  std::vector<VertexId> renamed(is_used.size());
+  std::uint32_t next = 0;
+  for (std::size_t v = 0; v < is_used.size(); ++v) {
+    if (is_used[v] != 0) renamed[v] = VertexId(next++);
+  }
+  for (Triangle& t : mesh.triangles) {
+    for (VertexId& v : t) v = renamed[v.index()];
+  }
+  keep_marked(mesh.points, is_used);
+  keep_marked(provenance.vertex_operand, is_used);
+  keep_marked(provenance.vertex_source, is_used);
+  return is_used;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kept, SurfaceMesh& mesh, Provenance& provenance) {
+  keep_other_sources(provenance, is_kept);
+  keep_marked(mesh.triangles, is_kept);
+  keep_marked(mesh.face_labels, is_kept);
+  keep_marked(provenance.source_operand, is_kept);
+  keep_marked(provenance.source_face, is_kept);
+  keep_marked(provenance.flipped, is_kept);
+  keep_marked(provenance.category, is_kept);
+  keep_marked(provenance.covering, is_kept);
+  keep_marked(provenance.covering_front, is_kept);
+  return drop_unused_vertices(mesh, provenance);
+}
+
+}  // namespace mortise
