@@ -2,12 +2,22 @@
 # SPDX-License-Identifier: MIT
 # Target mortise_wasm: wasm/bindings/*.cpp and the library -> glue.mjs and core.wasm, from one link, in MORTISE_WASM_DIST.
 
+# Parts of the library that read a few words, repair a few triangles or run once per result: what they weigh counts, not how
+# fast they are.
+set(mortise_light_sources
+    boolean/evaluate_expression boolean/expression boolean/join_coincident boolean/keep_faces boolean/keep_triangles boolean/merge_close_vertices
+    boolean/moved_shells boolean/result_regions boolean/swap_slivers mesh/find_cells mesh/order_round_edge)
+list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
+list(TRANSFORM mortise_light_sources APPEND ".cpp")
+set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Os)
+
 set(MORTISE_WASM_DIST "${CMAKE_CURRENT_SOURCE_DIR}/wasm/dist" CACHE PATH "Where glue.mjs and core.wasm go")
 file(GLOB wasm_binding_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings/*.cpp")
 if(wasm_binding_sources)
   add_executable(mortise_wasm ${wasm_binding_sources})
   set_target_properties(mortise_wasm PROPERTIES OUTPUT_NAME glue SUFFIX .mjs)
-  target_compile_options(mortise_wasm PRIVATE ${MORTISE_EM_COMPILE_OPTIONS} ${MORTISE_EM_LTO})
+  # Bindings copy arrays and name fields: what they weigh counts, not how fast they are.
+  target_compile_options(mortise_wasm PRIVATE ${MORTISE_EM_COMPILE_OPTIONS} ${MORTISE_EM_LTO} -Oz)
   target_link_libraries(mortise_wasm PRIVATE mortise mortise_flags)
   target_link_options(mortise_wasm PRIVATE ${MORTISE_EM_PACKAGE_LINK_OPTIONS})
   add_custom_command(

@@ -81,10 +81,20 @@ function storedOperands(folder) {
   });
 }
 
+const functionNames = { symmetric_difference: 'symmetricDifference' };
+
+/** @param {string} word "union", "combine:(a|b)&!c", "keep:10,same" */
+function evaluateWord(word, operands) {
+  const [kind, text] = word.split(':');
+  if (kind === 'combine') return mortise.combine(text, operands);
+  if (kind === 'keep') return mortise.keep(text.split(','), operands);
+  return mortise[functionNames[word] ?? word](operands);
+}
+
 /** Names and bytes of what the native tool writes for one evaluation. */
-function outcome(name, operation, operands) {
+function outcome(name, word, operands) {
   try {
-    const { mesh, provenance, graph, report } = mortise[operation](operands);
+    const { mesh, provenance, graph, report } = evaluateWord(word, operands);
     const { categoryNames: _, coveringSets, ...perTriangle } = provenance;
     const { volume, area, minAngleDeg, maxAngleDeg, contact, regions } = report;
     const arrays = {
@@ -94,7 +104,7 @@ function outcome(name, operation, operands) {
       graphEdges: graph.edges,
       graphChains: Uint32Array.from(graph.chains.flatMap((chain) => [...chain])),
       regionMeasures: Float64Array.from(regions.flatMap((region) => [region.volume, region.area, ...region.operands])),
-      measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area, report.certified ? 1 : 0),
+      measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area, report.certified ? 1 : 0, report.closed ? 1 : 0),
       'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
       stl: mortise.writeMesh(mesh, { format: 'stl' }),
     };
@@ -109,10 +119,10 @@ function outcome(name, operation, operands) {
   }
 }
 
-/** The evaluations of a scene: its indented lines, "subtract B A = 6.41", or else three operations. */
+/** The evaluations of a scene: its indented lines, "subtract B A = 6.41", or else five operations. */
 function evaluationsOf(lines) {
-  if (lines.length === 0) return [['union'], ['intersect'], ['subtract']];
-  return lines.map((line) => line.slice(0, line.indexOf(' = ')).trim().split(/\s+/));
+  if (lines.length === 0) return [['union'], ['intersect'], ['subtract'], ['symmetric_difference'], ['partition']];
+  return lines.map((line) => line.split(' = ')[0].trim().split(/\s+/));
 }
 
 /** Every array of a scene by name. @param {string[][]} evaluations operation and operands, none for all of them */

@@ -55,6 +55,7 @@ void write_provenance(const std::string& prefix, const Provenance& provenance) {
   std::vector<std::uint32_t> sets;
   for (const auto& set : provenance.covering_sets) sets.insert(sets.end(), set.begin(), set.end());
   write_array(prefix + "coveringSets", sets);
+  if (!provenance.covering_front.empty()) write_array(prefix + "coveringFront", provenance.covering_front);
   write_array(prefix + "otherSourceBegin", provenance.other_source_begin);
   write_array(prefix + "otherSourceOperand", provenance.other_source_operand);
   write_array(prefix + "otherSourceFace", provenance.other_source_face);
@@ -70,22 +71,29 @@ void write_graph(const std::string& prefix, const IntersectionGraph& graph) {
   write_array(prefix + "graphChains", chains);
 }
 
-/// Volume (0 when open), area, smallest and largest angle, length and area of contact, 1 when certified.
-void write_measures(const std::string& prefix, const BooleanResult& result) {
+/// Volume (0 when open), area, smallest and largest angle, length and area of contact, 1 when certified, 1 when closed.
+void write_measures(const std::string& prefix, const BooleanResult& result, const ResultRegions& regions) {
   const MeshReport report = inspect(result.mesh);
   const ContactMeasure& contact = result.report.contact;
   const bool is_certified = result.report.certificate.status == CertificateStatus::Certified;
-  write_array(prefix + "measures", std::vector{report.volume.value_or(0), report.area, report.min_angle_deg, report.max_angle_deg,
-                                               contact.length, contact.area, is_certified ? 1.0 : 0.0});
+  const bool is_partition = !result.provenance.covering_front.empty();
+  const double volume = is_partition ? regions.total_volume() : report.volume.value_or(0);
+  const bool is_closed = is_partition ? regions.is_closed : report.closed;
+  write_array(prefix + "measures", std::vector{volume, report.area, report.min_angle_deg, report.max_angle_deg, contact.length,
+                                               contact.area, is_certified ? 1.0 : 0.0, is_closed ? 1.0 : 0.0});
 }
 
-/// Region ids begin with 1; nothing lies in front of a triangle.
-void write_regions(const std::string& prefix, const BooleanResult& result) {
-  const ResultRegions found = find_result_regions(result);
-  std::vector<std::uint32_t> behind;
-  for (const std::uint32_t region : found.region_of_facet) behind.push_back(region + 1);
-  write_array(prefix + "regionLeft", behind);
-  write_array(prefix + "regionRight", std::vector<std::uint32_t>(behind.size(), 0));
+/// Region ids begin with 1; 0 is outside.
+std::vector<std::uint32_t> region_ids(const std::vector<std::uint32_t>& regions) {
+  std::vector<std::uint32_t> ids;
+  for (const std::uint32_t region : regions) ids.push_back(region == ResultRegions::none ? 0 : region + 1);
+  return ids;
+}
+
+void write_regions(const std::string& prefix, const ResultRegions& found) {
+  write_array(prefix + "regionLeft", region_ids(found.region_of_facet));
+  const std::vector<std::uint32_t> outside(found.region_of_facet.size(), ResultRegions::none);
+  write_array(prefix + "regionRight", region_ids(found.region_in_front.empty() ? outside : found.region_in_front));
   std::vector<double> measures;
   for (const ResultRegion& region : found.regions) {
     measures.insert(measures.end(), {region.volume, region.area});
@@ -97,9 +105,10 @@ void write_regions(const std::string& prefix, const BooleanResult& result) {
 void write_result(const std::string& prefix, const BooleanResult& result) {
   write_surface(prefix, result.mesh);
   write_provenance(prefix, result.provenance);
-  write_regions(prefix, result);
+  const ResultRegions regions = find_result_regions(result);
+  write_regions(prefix, regions);
   write_graph(prefix, result.graph);
-  write_measures(prefix, result);
+  write_measures(prefix, result, regions);
   write_surface(prefix + "float32.", round_to_float32(result.mesh));
   for (const Format format : {Format::PlyAscii, Format::StlBinary}) {
     const std::string bytes = write_mesh(result.mesh, format);
@@ -108,9 +117,9 @@ void write_result(const std::string& prefix, const BooleanResult& result) {
 }
 
 /// The arrays of a result, or the code of the error instead.
-void write_outcome(const std::string& prefix, Operation operation, const std::vector<const SurfaceMesh*>& operands) {
+void write_outcome(const std::string& prefix, const std::string& word, const std::vector<const SurfaceMesh*>& operands) {
   try {
-    write_result(prefix, evaluate_boolean(operation, operands));
+    write_result(prefix, test::evaluate_word(word, operands));
   } catch (const Error& error) {
     const std::string_view code = error_code_name(error.code);
     write_bytes(prefix + "error", code.data(), code.size());
@@ -125,8 +134,8 @@ void write_operands(const fs::path& folder, const std::string& name, const std::
 
 void write_small_scene(const fs::path& folder, const test::Scene& scene) {
   write_operands(folder, scene.name, scene.operands);
-  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
-    write_outcome((folder / (std::string(operation_name(operation)) + ".")).string(), operation, test::pointers_to(scene.operands));
+  for (const std::string& word : test::default_words()) {
+    write_outcome((folder / (word + ".")).string(), word, test::pointers_to(scene.operands));
   }
 }
 
@@ -137,7 +146,7 @@ void write_listed_scene(const fs::path& folder, const test::ListedScene& scene) 
   for (const test::Evaluation& evaluation : scene.evaluations) {
     std::vector<const SurfaceMesh*> chosen;
     for (const std::size_t i : evaluation.order) chosen.push_back(&operands[i]);
-    write_outcome((folder / (evaluation.name + ".")).string(), evaluation.operation, chosen);
+    write_outcome((folder / (evaluation.name + ".")).string(), evaluation.word, chosen);
   }
 }
 

@@ -36,12 +36,6 @@ std::vector<Triangle> triangles_in_order(std::size_t point_count) {
   return triangles;
 }
 
-std::vector<std::string> strings_in(const val& array) {
-  std::vector<std::string> strings(length_of(array));
-  for (std::size_t i = 0; i < strings.size(); ++i) strings[i] = array[i].as<std::string>();
-  return strings;
-}
-
 SurfaceMesh unchecked_mesh_in(const val& object) {
   SurfaceMesh mesh;
   const val positions = object["positions"];
@@ -58,6 +52,12 @@ SurfaceMesh unchecked_mesh_in(const val& object) {
 }
 
 }  // namespace
+
+std::vector<std::string> strings_in(const val& array) {
+  std::vector<std::string> strings(length_of(array));
+  for (std::size_t i = 0; i < strings.size(); ++i) strings[i] = array[i].as<std::string>();
+  return strings;
+}
 
 val points_out(const std::vector<Vec3d>& points) { return copy_out(numbers_of(points)); }
 

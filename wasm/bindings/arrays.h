@@ -40,6 +40,7 @@ void copy_in(const emscripten::val& array, std::span<T> numbers) {
 [[nodiscard]] emscripten::val pairs_out(const std::vector<std::array<std::uint32_t, 2>>& pairs);
 
 /// An array of JavaScript strings.
+[[nodiscard]] std::vector<std::string> strings_in(const emscripten::val& array);
 [[nodiscard]] emscripten::val strings_out(const std::vector<std::string>& strings);
 
 /// The valid mesh of {positions, triangles?, faceLabels?, labelNames?}, typed arrays of the right length. Without triangles every three

@@ -3,6 +3,7 @@
 // The booleans: meshes in, {mesh, report, graph, provenance} out.
 #include <emscripten/bind.h>
 
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -10,6 +11,8 @@
 #include "arrays.h"
 #include "border.h"
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/result_regions.h"
 #include "report.h"
 
@@ -17,13 +20,6 @@ namespace mortise::wasm {
 namespace {
 
 using emscripten::val;
-
-Operation operation_from_name(const std::string& name) {
-  for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
-    if (name == operation_name(operation)) return operation;
-  }
-  throw Error(ErrorCode::InvalidArgument, "evaluate_boolean", "no operation has this name: " + name);
-}
 
 SurfaceMesh operand_in(const val& object, std::size_t index) {
   try {
@@ -73,12 +69,18 @@ val graph_out(const IntersectionGraph& graph) {
   return object;
 }
 
-/// Region ids per triangle: behind it, and in front of it, where nothing of a boolean lies.
-void set_regions(val& object, const std::vector<std::uint32_t>& region_of_facet) {
-  std::vector<std::uint32_t> behind;
-  for (const std::uint32_t region : region_of_facet) behind.push_back(region + 1);
-  object.set("regionLeft", copy_out(behind));
-  object.set("regionRight", copy_out(std::vector<std::uint32_t>(behind.size(), 0)));
+/// Region ids begin with 1; 0 is outside.
+val region_ids_out(const std::vector<std::uint32_t>& regions) {
+  std::vector<std::uint32_t> ids;
+  for (const std::uint32_t region : regions) ids.push_back(region == ResultRegions::none ? 0 : region + 1);
+  return copy_out(ids);
+}
+
+/// Region ids per triangle: behind it, and in front of it, where nothing of a result lies but of a partition.
+void set_regions(val& object, const ResultRegions& regions) {
+  object.set("regionLeft", region_ids_out(regions.region_of_facet));
+  const std::vector<std::uint32_t> outside(regions.region_of_facet.size(), ResultRegions::none);
+  object.set("regionRight", region_ids_out(regions.region_in_front.empty() ? outside : regions.region_in_front));
 }
 
 val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
@@ -86,11 +88,12 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   object.set("sourceOperand", copy_out(provenance.source_operand));
   object.set("sourceFace", copy_out(provenance.source_face));
   object.set("flipped", copy_out(provenance.flipped));
-  set_regions(object, regions.region_of_facet);
+  set_regions(object, regions);
   object.set("category", copy_out(category_codes(provenance.category)));
   object.set("categoryNames", strings_out({"outside", "inside", "onSame", "onOpposite"}));
   object.set("covering", copy_out(provenance.covering));
   object.set("coveringSets", lists_out(provenance.covering_sets));
+  if (!provenance.covering_front.empty()) object.set("coveringFront", copy_out(provenance.covering_front));
   object.set("otherSourceBegin", copy_out(provenance.other_source_begin));
   object.set("otherSourceOperand", copy_out(provenance.other_source_operand));
   object.set("otherSourceFace", copy_out(provenance.other_source_face));
@@ -99,10 +102,13 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   return object;
 }
 
-val evaluate(const std::string& operation, const val& meshes, const val& listener, bool search) {
+using Operands = std::vector<const SurfaceMesh*>;
+using Evaluate = std::function<BooleanResult(const Operands&, const BooleanOptions&)>;
+
+val answer_boolean(const val& meshes, const val& listener, bool search, const Evaluate& evaluate) {
   return answer([&] {
     const std::vector<SurfaceMesh> operands = operands_in(meshes);
-    const BooleanResult result = evaluate_boolean(operation_from_name(operation), pointers_to(operands), options_in(listener));
+    const BooleanResult result = evaluate(pointers_to(operands), options_in(listener));
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     const ResultRegions regions = find_result_regions(result);
@@ -113,8 +119,30 @@ val evaluate(const std::string& operation, const val& meshes, const val& listene
   });
 }
 
+val evaluate(const std::string& operation, const val& meshes, const val& listener, bool search) {
+  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+    return evaluate_boolean(operation_from_name(operation), operands, options);
+  });
+}
+
+val combine(const std::string& expression, const val& meshes, const val& listener, bool search) {
+  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+    return evaluate_expression(expression, operands, options);
+  });
+}
+
+val keep(const val& tags, const val& meshes, const val& listener, bool search) {
+  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+    return keep_faces(keep_mask(strings_in(tags)), operands, options);
+  });
+}
+
 }  // namespace
 
-EMSCRIPTEN_BINDINGS(mortise_boolean) { emscripten::function("evaluateBoolean", &evaluate); }
+EMSCRIPTEN_BINDINGS(mortise_boolean) {
+  emscripten::function("evaluateBoolean", &evaluate);
+  emscripten::function("evaluateExpression", &combine);
+  emscripten::function("keepFaces", &keep);
+}
 
 }  // namespace mortise::wasm

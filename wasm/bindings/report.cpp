@@ -196,7 +196,11 @@ val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResul
   account.notes.push_back(certificate_note(result.report.certificate));
   note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
   account.regions = regions.regions;
-  const MeshReport report = inspect_into(result.mesh, search, account);
+  MeshReport report = inspect_into(result.mesh, search, account);
+  if (!result.provenance.covering_front.empty()) {  // of a partition: region by region
+    report.closed = regions.is_closed;
+    report.volume = regions.total_volume();
+  }
   return report_out(report, search, account);
 }
 

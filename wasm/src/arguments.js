@@ -195,6 +195,18 @@ export function splitOperands(args, operation) {
   return { operands, options: hasOptions ? last : undefined };
 }
 
+/**
+ * Operands as an array, where something else comes first in a call.
+ * @param {any} operands
+ * @param {string} name of the function
+ * @returns {any[]}
+ */
+export function checkOperands(operands, name) {
+  if (!Array.isArray(operands)) throw invalidArgument(`${name} takes an array of meshes second, not ${describe(operands)}`);
+  if (operands.length === 0) throw invalidArgument(`${name} needs at least one mesh`);
+  return operands;
+}
+
 /** @param {any} value */
 function isOptions(value) {
   if (value === undefined) return true;

@@ -45,6 +45,14 @@ export function createAsyncApi(compileFrom, host) {
     intersect: later('intersect'),
     /** @type {typeof import('./index.js').subtract} */
     subtract: later('subtract'),
+    /** @type {typeof import('./index.js').symmetricDifference} */
+    symmetricDifference: later('symmetricDifference'),
+    /** @type {typeof import('./index.js').partition} */
+    partition: later('partition'),
+    /** @type {typeof import('./index.js').combine} */
+    combine: later('combine'),
+    /** @type {typeof import('./index.js').keep} */
+    keep: later('keep'),
     /** @type {typeof import('./index.js').inspect} */
     inspect: later('inspect'),
     /** @type {typeof import('./index.js').transform} */

@@ -24,6 +24,18 @@ export interface Core {
     listener: ((stage: string, fraction: number) => boolean) | undefined,
     inspect: boolean,
   ): Answer<BooleanResult>;
+  evaluateExpression(
+    expression: string,
+    operands: CheckedMesh[],
+    listener: ((stage: string, fraction: number) => boolean) | undefined,
+    inspect: boolean,
+  ): Answer<BooleanResult>;
+  keepFaces(
+    tags: string[],
+    operands: CheckedMesh[],
+    listener: ((stage: string, fraction: number) => boolean) | undefined,
+    inspect: boolean,
+  ): Answer<BooleanResult>;
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;

@@ -54,7 +54,7 @@ export interface RegionReport {
 export interface Report {
   vertices: number;
   triangles: number;
-  /** Every edge is balanced: as many triangles run along it one way as the other. */
+  /** Every edge is balanced: as many triangles run along it one way as the other; of a partition, round every region. */
   closed: boolean;
   /** No two triangles run the same way along an edge they alone share. */
   oriented: boolean;
@@ -65,7 +65,7 @@ export interface Report {
   components: number;
   /** Handles, summed over shells; null when the mesh is not closed. */
   genus: number | null;
-  /** Signed: negative when inside out; null when the mesh is not closed. */
+  /** Signed: negative when inside out; null when the mesh is not closed; of a partition, the sum over its regions. */
   volume: number | null;
   area: number;
   /** Null when the mesh has no triangles. */
@@ -112,9 +112,9 @@ export interface Provenance {
   sourceFace: Uint32Array;
   /** Per triangle: 1 when it runs against its source. */
   flipped: Uint8Array;
-  /** Per triangle: id of the region behind it. */
+  /** Per triangle: id of the region behind it; 0 in an open result. */
   regionLeft: Uint32Array;
-  /** Per triangle: id of the region in front of it; 0 for a boolean. */
+  /** Per triangle: id of the region in front of it; 0 but for a partition. */
   regionRight: Uint32Array;
   /** Per triangle: how it lies to the operands other than its own, an index into `categoryNames`. */
   category: Uint8Array;
@@ -123,6 +123,8 @@ export interface Provenance {
   /** Per triangle: which operands contain the space just behind it, an index into `coveringSets`. */
   covering: Uint32Array;
   coveringSets: Uint32Array[];
+  /** Of a partition, per triangle: which operands contain the space just in front of it. */
+  coveringFront?: Uint32Array;
   /** Triangle i coincides also with the sources from otherSourceBegin[i] up to otherSourceBegin[i + 1] of the next two arrays. */
   otherSourceBegin: Uint32Array;
   otherSourceOperand: Uint32Array;
@@ -132,6 +134,12 @@ export interface Provenance {
   /** Per vertex: vertex of that operand, or 0xffffffff for a vertex the cut made. */
   vertexSource: Uint32Array;
 }
+
+/**
+ * A tag of the paper: faces of the first operand outside (10) and inside (11) others, faces of any other operand outside (20) and inside
+ * (21) others, faces that coincide with one of another operand and run the same way, or all opposite.
+ */
+export type FaceTag = '10' | '11' | '20' | '21' | 'same' | 'opposite';
 
 export interface BooleanResult {
   mesh: Mesh;
@@ -330,6 +338,14 @@ export interface Mortise {
   subtract(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
   subtract(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
   subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  symmetricDifference(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  symmetricDifference(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  symmetricDifference(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  partition(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  partition(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  partition(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
+  combine(expression: string, operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
   inspect(mesh: MeshInput): Report;
   transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
   roundToFloat32(mesh: MeshInput): Mesh;
@@ -358,6 +374,28 @@ export function intersect(...operandsAndOptions: [MeshInput, ...MeshInput[], Boo
 export function subtract(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
 export function subtract(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
 export function subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/** What is inside an odd number of operands. */
+export function symmetricDifference(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function symmetricDifference(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function symmetricDifference(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/**
+ * The union with the faces inside it that separate regions of different operands, each once: the non-regularized union.
+ * `provenance.regionLeft` and `regionRight` name the regions on both sides, `report.regions` who contains them.
+ */
+export function partition(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function partition(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function partition(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+
+/**
+ * What an expression says, '(a | b) & !c'. Operands are a, b, c ... in their order, or #0, #1, #2 ... From tight to loose: ! outside,
+ * - without, & and, ^ an odd number, | or. What is true outside all operands is refused.
+ */
+export function combine(expression: string, operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+
+/** The faces with the given tags after cutting all operands along their contacts; the result may be open. */
+export function keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
 
 /** Numbers about one mesh. */
 export function inspect(mesh: MeshInput): Promise<Report>;

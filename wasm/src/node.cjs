@@ -36,6 +36,10 @@ class MeshError extends Error {
 exports.union = forward('union');
 exports.intersect = forward('intersect');
 exports.subtract = forward('subtract');
+exports.symmetricDifference = forward('symmetricDifference');
+exports.partition = forward('partition');
+exports.combine = forward('combine');
+exports.keep = forward('keep');
 exports.inspect = forward('inspect');
 exports.transform = forward('transform');
 exports.roundToFloat32 = forward('roundToFloat32');

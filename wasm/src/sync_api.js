@@ -3,7 +3,7 @@
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
 // @ts-check
 
-import { checkInspect, checkMesh, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import { checkInspect, checkMesh, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
@@ -121,20 +121,24 @@ function guardProgress(progress) {
 }
 
 /**
+ * @typedef {(core: Core, meshes: CheckedMesh[], report: ReturnType<typeof guardProgress>['report'], inspect: boolean) =>
+ *   Answer<import('./index.js').BooleanResult>} BooleanCall
+ */
+
+/**
  * @param {Session} session
- * @param {string} operation
- * @param {any[]} args
+ * @param {BooleanCall} call
+ * @param {{ operands: any, options: any }} args
  * @returns {import('./index.js').BooleanResult}
  */
-function evaluate(session, operation, args) {
-  const { operands, options } = splitOperands(args, operation);
+function evaluateWith(session, call, { operands, options }) {
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
   const checked = checkOptions(options, ['onProgress', 'signal', 'inspect']);
   const { report, state } = guardProgress(checkProgress(checked));
   const inspect = checkInspect(checked);
   const begin = performance.now();
   try {
-    const result = ask(session, (core) => core.evaluateBoolean(operation, meshes, report, inspect), meshes);
+    const result = ask(session, (core) => call(core, meshes, report, inspect), meshes);
     result.report.milliseconds = performance.now() - begin;
     return result;
   } catch (error) {
@@ -142,6 +146,35 @@ function evaluate(session, operation, args) {
     if (error instanceof MeshError && error.code === 'CANCELLED') error.cause = checked.signal?.reason;
     throw error;
   }
+}
+
+/**
+ * @param {Session} session
+ * @param {string} operation
+ * @param {any[]} args
+ */
+function evaluate(session, operation, args) {
+  return evaluateWith(session, (core, ...rest) => core.evaluateBoolean(operation, ...rest), splitOperands(args, operation));
+}
+
+/**
+ * combine(expression, operands, options?)
+ * @param {Session} session
+ * @param {any[]} args
+ */
+function combine(session, [expression, operands, options]) {
+  if (typeof expression !== 'string') throw invalidArgument(`combine takes an expression like '(a | b) & !c' first, not ${describe(expression)}`);
+  return evaluateWith(session, (core, ...rest) => core.evaluateExpression(expression, ...rest), { operands: checkOperands(operands, 'combine'), options });
+}
+
+/**
+ * keep(tags, operands, options?)
+ * @param {Session} session
+ * @param {any[]} args
+ */
+function keep(session, [tags, operands, options]) {
+  if (!Array.isArray(tags) || tags.some((tag) => typeof tag !== 'string')) throw invalidArgument(`keep takes an array of tags first, not ${describe(tags)}`);
+  return evaluateWith(session, (core, ...rest) => core.keepFaces(tags, ...rest), { operands: checkOperands(operands, 'keep'), options });
 }
 
 /**
@@ -201,6 +234,10 @@ export function createSyncApi(core, host, onStop) {
     union: (/** @type {any[]} */ ...args) => evaluate(session, 'union', args),
     intersect: (/** @type {any[]} */ ...args) => evaluate(session, 'intersect', args),
     subtract: (/** @type {any[]} */ ...args) => evaluate(session, 'subtract', args),
+    symmetricDifference: (/** @type {any[]} */ ...args) => evaluate(session, 'symmetric_difference', args),
+    partition: (/** @type {any[]} */ ...args) => evaluate(session, 'partition', args),
+    combine: (/** @type {any[]} */ ...args) => combine(session, args),
+    keep: (/** @type {any[]} */ ...args) => keep(session, args),
     inspect: (mesh) => inspectMesh(session, mesh),
     transform: (mesh, steps) => {
       const checked = checkMesh(mesh, 'mesh');

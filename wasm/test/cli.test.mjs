@@ -47,6 +47,29 @@ test('union, intersect and subtract write a file and a report', (t) => {
   }
 });
 
+test('xor, partition, combine and keep write a file and a report', (t) => {
+  const cwd = cubes(t);
+  assert.equal(report(cwd, 'xor', 'a.ply', 'b.obj', '-o', 'out.off').volume, 1.75);
+  for (const verb of ['partition', 'nru']) {
+    const json = report(cwd, verb, 'a.ply', 'b.obj', '-o', 'out.off');
+    assert.deepEqual([json.volume, json.closed, json.certified, json.regions.length], [1.875, true, true, 3]);
+  }
+  assert.equal(report(cwd, 'combine', '(a|b) & !a', 'a.ply', 'b.obj', '-o', 'out.off').volume, 0.875);
+  const kept = report(cwd, 'keep', '10,21', 'a.ply', 'b.obj', '-o', 'out.off');
+  assert.deepEqual([kept.area, kept.closed, kept.operands.map(({ name }) => name)], [6, false, ['a.ply', 'b.obj']]);
+  assert.equal(run(['combine', 'a | | b', 'a.ply', 'b.obj', '-o', 'out.off'], { cwd }).code, 2);
+  assert.equal(run(['keep', '12', 'a.ply', '-o', 'out.off'], { cwd }).code, 2);
+  assert.equal(run(['combine', 'a', '-o', 'out.off'], { cwd }).code, 2);
+});
+
+test('a partition may be stored as float32 when it keeps its faces', (t) => {
+  const cwd = cubes(t);
+  mortise.writeMesh(join(cwd, 'c.ply'), cube(1 / 3, 1 / 3, 1 / 3));
+  const json = report(cwd, 'partition', 'a.ply', 'c.ply', '-o', 'out.stl');
+  assert.equal(json.certified, true);
+  assert.equal(json.regions.length, 3);
+});
+
 test('any number of operands, options anywhere', (t) => {
   const cwd = cubes(t);
   mortise.writeMesh(join(cwd, 'c.stl'), cube(0.75));
@@ -156,7 +179,7 @@ test('help and version', () => {
   const general = run(['--help']);
   assert.equal(general.code, 0);
   assert.equal(run(['--version']).out, `${version}\n`);
-  for (const verb of ['union', 'intersect', 'subtract', 'split', 'repair', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
+  for (const verb of ['union', 'intersect', 'subtract', 'xor', 'partition', 'combine', 'keep', 'split', 'repair', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
     assert.match(general.out, new RegExp(`mortise ${verb} `));
     const { code, out } = run([verb, '--help']);
     assert.equal(code, 0);

@@ -21,8 +21,8 @@ import { cube, meshError } from './support.mjs';
 const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
 const names = [
-  ...['MeshError', 'extrudeTo', 'inspect', 'intersect', 'load', 'make', 'readMesh', 'repair', 'roundToFloat32', 'slice', 'split', 'splitPinches'],
-  ...['subtract', 'transform', 'union', 'writeMesh'],
+  ...['MeshError', 'combine', 'extrudeTo', 'inspect', 'intersect', 'keep', 'load', 'make', 'partition', 'readMesh', 'repair', 'roundToFloat32'],
+  ...['slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh'],
 ];
 
 test('import, require and the browser entry export the same names', () => {

@@ -27,6 +27,11 @@ const verbs = {
   union: booleanVerb('union'),
   intersect: booleanVerb('intersect'),
   subtract: booleanVerb('subtract'),
+  xor: booleanVerb('xor'),
+  partition: booleanVerb('partition'),
+  nru: booleanVerb('partition'),
+  combine: booleanVerb('combine'),
+  keep: booleanVerb('keep'),
   split: splitVerb,
   repair: repairVerb,
   extrude: extrudeVerb,
@@ -43,6 +48,10 @@ Exact booleans of triangle meshes.
   mortise union A B [C...] -o OUT         all that is inside any
   mortise intersect A B [C...] -o OUT     all that is inside every one
   mortise subtract A B [C...] -o OUT      the first without the others
+  mortise xor A B [C...] -o OUT           all that is inside an odd number
+  mortise partition A B [C...] -o OUT     the union, its regions kept apart
+  mortise combine "(a|b)&!c" A B C -o OUT what an expression says
+  mortise keep 10,21,same A B -o OUT      faces by tags, the result may be open
   mortise split IN -o OUT-%d.stl          its parts or its solids, one file each
   mortise repair IN -o OUT --STEP ...     mends what is asked for, says what it did
   mortise extrude IN -o OUT --to-z Z      the solid under or over a terrain

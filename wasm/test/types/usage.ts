@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { extrudeTo, inspect, intersect, load, make, MeshError, readMesh, repair, slice, split, splitPinches, subtract, transform, union, writeMesh } from 'mortise';
+import { combine, extrudeTo, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair, slice, split, splitPinches } from 'mortise';
+import { subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
 import type { BooleanResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
@@ -16,6 +17,14 @@ await union(box, moved, prism);
 await union([box, soup], { signal: new AbortController().signal });
 await intersect(box, moved, { onProgress: ({ stage, fraction }) => stage.length > 0 && fraction < 1 });
 await subtract({ positions: [0, 0, 0], triangles: [] }, box, { onProgress: () => {} });
+
+const divided: BooleanResult = await partition(box, moved);
+const inFront: Uint32Array | undefined = divided.provenance.coveringFront;
+await symmetricDifference([box, moved], { inspect: false });
+await combine('(a | b) - c', [box, moved, prism]);
+await keep(['10', 'same'], [box, moved]);
+// @ts-expect-error: no such tag
+await keep(['12'], [box, moved]);
 
 const brief: BooleanResult = await union(box, moved, { inspect: false });
 const found: number | null = brief.report.selfIntersections;

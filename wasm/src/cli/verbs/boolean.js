@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// mortise union|intersect|subtract A B [C...] -o OUT
+// mortise union|intersect|subtract|xor|partition A B [C...] -o OUT, mortise combine EXPRESSION A B ..., mortise keep TAGS A B ...
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
@@ -8,17 +8,45 @@ import { displayName, namingFiles, printReport, readOperand, send, targetOf, wri
 import { exitCode } from '../exit_codes.js';
 import { storedResult } from '../stored.js';
 
-const meaning = {
-  union: 'All that is inside any of the meshes.',
-  intersect: 'All that is inside every mesh.',
-  subtract: 'The first mesh without all others.',
+/**
+ * What the verbs differ in. `word` is what stands before the files.
+ * @typedef {object} Kind
+ * @property {string} meaning
+ * @property {string} [word] its name
+ * @property {(mortise: import('../../index.js').Mortise, operands: import('../../index.js').Mesh[], word: string) =>
+ *   import('../../index.js').BooleanResult} evaluate
+ */
+
+/** @type {Record<string, Kind>} */
+const kinds = {
+  union: { meaning: 'All that is inside any of the meshes.', evaluate: (mortise, operands) => mortise.union(operands) },
+  intersect: { meaning: 'All that is inside every mesh.', evaluate: (mortise, operands) => mortise.intersect(operands) },
+  subtract: { meaning: 'The first mesh without all others.', evaluate: (mortise, operands) => mortise.subtract(operands) },
+  xor: { meaning: 'All that is inside an odd number of meshes.', evaluate: (mortise, operands) => mortise.symmetricDifference(operands) },
+  partition: {
+    meaning: 'The union with the faces that separate regions of different meshes, each once (the non-regularized union; also: nru).',
+    evaluate: (mortise, operands) => mortise.partition(operands),
+  },
+  combine: {
+    word: 'EXPRESSION',
+    meaning: `What an expression says, for example "(a|b)&!c". The meshes are a, b, c ... in their order, or #0, #1, #2 ...
+From tight to loose: ! outside, - without, & and, ^ an odd number, | or; parentheses.`,
+    evaluate: (mortise, operands, word) => mortise.combine(word, operands),
+  },
+  keep: {
+    word: 'TAGS',
+    meaning: `Faces by tags with commas between them, after cutting all meshes along their contacts; the result may be open:
+10 and 11 of the first mesh outside and inside others, 20 and 21 of the others, same and opposite where faces coincide.`,
+    evaluate: (mortise, operands, word) => mortise.keep(/** @type {any} */ (word.split(',')), operands),
+  },
 };
 
-/** @param {'union' | 'intersect' | 'subtract'} operation */
-function helpText(operation) {
-  return `mortise ${operation} A B [C...] -o OUT
+/** @param {string} name */
+function helpText(name) {
+  const { meaning, word } = kinds[name];
+  return `mortise ${name} ${word === undefined ? '' : `${word} `}A B [C...] -o OUT
 
-${meaning[operation]} Meshes are closed; they may touch, coincide, contain one another and cross themselves.
+${meaning} Meshes are closed; they may touch, coincide, contain one another and cross themselves.
 
   -o, --output FILE     .stl .obj .ply .off; - is the standard output
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
@@ -29,25 +57,27 @@ ${meaning[operation]} Meshes are closed; they may touch, coincide, contain one a
 }
 
 /**
- * @param {'union' | 'intersect' | 'subtract'} operation
+ * @param {string} name
  * @returns {import('../common.js').Verb}
  */
-export function booleanVerb(operation) {
+export function booleanVerb(name) {
+  const { word, evaluate } = kinds[name];
   return {
-    help: helpText(operation),
+    help: helpText(name),
     options: { ...writingOptions, 'allow-uncertified': { type: 'boolean' } },
     run(mortise, args, streams) {
       const target = targetOf(args);
-      if (args.positionals.length === 0) throw invalidArgument(`${operation} needs mesh files`);
+      const files = word === undefined ? args.positionals : args.positionals.slice(1);
+      if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
-      const operands = args.positionals.map((file) => readOperand(mortise, file, args, streams));
-      const result = namingFiles(args.positionals, () => mortise[operation](operands));
+      const operands = files.map((file) => readOperand(mortise, file, args, streams));
+      const result = namingFiles(files, () => evaluate(mortise, operands, args.positionals[0]));
       const { mesh, report } = storedResult(mortise, result, target.format);
       const refused = !report.certified && !args.values['allow-uncertified'];
       if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);
-      report.operands = report.operands.map((operand, i) => ({ name: displayName(args.positionals[i]), ...operand }));
+      report.operands = report.operands.map((operand, i) => ({ name: displayName(files[i]), ...operand }));
       report.milliseconds = performance.now() - begin;
-      printReport(report, [operation, refused ? 'not written' : `${displayName(target.file)} (${target.format})`], args, streams);
+      printReport(report, [name, refused ? 'not written' : `${displayName(target.file)} (${target.format})`], args, streams);
       if (refused) streams.err('mortise: the result is not certified and was not written; --allow-uncertified writes it\n');
       return refused ? exitCode.refused : exitCode.ok;
     },
