@@ -24,6 +24,8 @@ MergedMesh stack_of(const std::vector<Layer>& layers) {
     merged.mesh.triangles.push_back(layers[i].is_even ? Triangle{b, c, a} : Triangle{b, a, c});
     p.covering_front.push_back(layers[i].front);
     p.covering.push_back(layers[i].back);
+    p.flipped.push_back(0);
+    p.category.push_back(FacetCategory::Outside);
     p.source_operand.push_back(i);
     p.source_face.push_back(10 + i);
     p.other_source_begin.push_back(0);
@@ -44,6 +46,7 @@ TEST_CASE("two triangles that bound a vanished region become one, with both sour
   CHECK(merged.provenance.other_source_begin == std::vector<std::uint32_t>{0, 1, 1});
   CHECK(merged.provenance.other_source_operand == std::vector<std::uint32_t>{1});
   CHECK(merged.provenance.other_source_face == std::vector<std::uint32_t>{11});
+  CHECK(merged.provenance.other_source_flipped == std::vector<std::uint8_t>{0});
 }
 
 TEST_CASE("the spaces are taken on the side where they are, however the triangles run and are ordered", "[join_coincident]") {
@@ -55,6 +58,13 @@ TEST_CASE("the spaces are taken on the side where they are, however the triangle
   CHECK(join_coincident(three) == Remains{1, 0, 0});
   CHECK(three.provenance.covering_front[0] == 0);
   CHECK(three.provenance.covering[0] == 3);
+}
+
+TEST_CASE("a source that runs the other way is flipped", "[join_coincident]") {
+  MergedMesh merged = stack_of({{true, 0, 1}, {false, 2, 1}});
+  CHECK(join_coincident(merged) == Remains{1, 0});
+  CHECK(merged.provenance.flipped[0] == 0);
+  CHECK(merged.provenance.other_source_flipped == std::vector<std::uint8_t>{1});
 }
 
 TEST_CASE("triangles with the same space on their far sides go", "[join_coincident]") {
@@ -72,4 +82,53 @@ TEST_CASE("a triangle on its own stays, one with a corner twice goes", "[join_co
 TEST_CASE("a triangle on its own stays with the same operands on both sides", "[join_coincident]") {
   MergedMesh merged = stack_of({{true, 1, 1}});
   CHECK(join_coincident(merged) == Remains{1});
+}
+
+TEST_CASE("where all sources are kept, faces of different operands stay on one triangle", "[join_coincident]") {
+  MergedMesh merged = stack_of({{true, 0, 1}, {false, 0, 1}});  // a slit between two operands that closed
+  merged.keeps_all_sources = true;
+  merged.provenance.covering_sets = {{}, {0}};
+  CHECK(join_coincident(merged) == Remains{1, 0});
+  CHECK((merged.provenance.source_operand[0] == 0 && merged.provenance.flipped[0] == 0));
+  CHECK(merged.provenance.other_source_operand == std::vector<std::uint32_t>{1});
+  CHECK(merged.provenance.other_source_flipped == std::vector<std::uint8_t>{1});
+  CHECK(merged.provenance.category[0] == FacetCategory::OnOpposite);
+}
+
+TEST_CASE("where all sources are kept, faces of one operand cancel when they run against each other", "[join_coincident]") {
+  MergedMesh wedge = stack_of({{true, 0, 1}, {false, 0, 1}});
+  wedge.keeps_all_sources = true;
+  wedge.provenance.source_operand = {3, 3};
+  wedge.provenance.covering_sets = {{}, {3}};
+  CHECK(join_coincident(wedge) == Remains{0, 0});
+
+  // Operand 0 closes to nothing, operand 2 stays: on the triangle that was its own.
+  MergedMesh third = stack_of({{true, 0, 1}, {false, 0, 1}, {true, 0, 2}});
+  third.keeps_all_sources = true;
+  third.provenance.covering_sets = {{}, {0}, {2}};
+  third.provenance.source_operand = {0, 0, 2};
+  CHECK(join_coincident(third) == Remains{0, 0, 1});
+  CHECK((third.provenance.covering_front[2] == 0 && third.provenance.covering[2] == 2));
+  CHECK((third.provenance.source_operand[2] == 2 && third.provenance.source_face[2] == 12 && third.provenance.flipped[2] == 0));
+  CHECK(third.provenance.other_source_begin == std::vector<std::uint32_t>{0, 0, 0, 0});
+  CHECK(third.provenance.category[2] == FacetCategory::Outside);
+}
+
+TEST_CASE("where all sources are kept, an operand is behind its faces whatever order rounding laid them in", "[join_coincident]") {
+  // Leaving both operands, first the one and first the other: pieces of faces that cross in a hair's breadth.
+  MergedMesh merged = stack_of({{true, 2, 3}, {true, 1, 3}});
+  merged.keeps_all_sources = true;
+  merged.provenance.covering_sets = {{}, {0}, {1}, {0, 1}};
+  CHECK(join_coincident(merged) == Remains{1, 0});
+  CHECK(merged.provenance.covering[0] == 3);
+  CHECK(merged.provenance.covering_front[0] == 0);
+  CHECK(merged.provenance.category[0] == FacetCategory::OnSame);
+
+  // A third operand is all round them; the set behind is one there was not.
+  MergedMesh within = stack_of({{true, 1, 2}, {false, 1, 3}});
+  within.keeps_all_sources = true;
+  within.provenance.covering_sets = {{}, {7}, {0, 7}, {1, 7}};
+  CHECK(join_coincident(within) == Remains{1, 0});
+  CHECK(within.provenance.covering_sets[within.provenance.covering[0]] == std::vector<std::uint32_t>{0, 7});
+  CHECK(within.provenance.covering_sets[within.provenance.covering_front[0]] == std::vector<std::uint32_t>{1, 7});
 }

@@ -160,6 +160,7 @@ TEST_CASE("labels and sources stay with their triangles") {
     merged.provenance.other_source_begin[t + 1] = static_cast<std::uint32_t>(t + 1);
     merged.provenance.other_source_operand.push_back(1);
     merged.provenance.other_source_face.push_back(static_cast<std::uint32_t>(100 + t));
+    merged.provenance.other_source_flipped.push_back(static_cast<std::uint8_t>(t));
   }
   REQUIRE(repair.run());
   CHECK(fault_of(merged) == "");
@@ -167,6 +168,7 @@ TEST_CASE("labels and sources stay with their triangles") {
     const std::uint32_t source = merged.provenance.source_face[t];
     CHECK(merged.mesh.face_labels[t] == source % 2);
     CHECK(merged.provenance.other_source_face[merged.provenance.other_source_begin[t]] == 100 + source);
+    CHECK(merged.provenance.other_source_flipped[merged.provenance.other_source_begin[t]] == source);
     CHECK(merged.facet_of_triangle[t].facet == FacetId(source));
   }
 }

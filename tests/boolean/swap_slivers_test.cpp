@@ -85,6 +85,7 @@ TEST_CASE("both triangles belong to the face of the neighbour afterwards, with i
       for (std::uint32_t i = 0; t < 3 && i < counts[t]; ++i) {
         p.other_source_operand.push_back(static_cast<std::uint32_t>(t));
         p.other_source_face.push_back(10 * static_cast<std::uint32_t>(t) + i);
+        p.other_source_flipped.push_back(static_cast<std::uint8_t>(t));
         ++sum;
       }
       p.other_source_begin[t + 1] = sum;
@@ -102,6 +103,8 @@ TEST_CASE("both triangles belong to the face of the neighbour afterwards, with i
       for (std::uint32_t i = 0; i < expected; ++i) CHECK(p.other_source_face[p.other_source_begin[t] + i] == i);
     }
     CHECK(p.other_source_face[p.other_source_begin[2]] == 20);
+    CHECK(p.other_source_flipped[p.other_source_begin[2]] == 2);
+    CHECK(p.other_source_flipped.size() == p.other_source_face.size());
     CHECK(merged.is_repaired[2] == 0);
   }
 }
@@ -219,4 +222,42 @@ TEST_CASE("results of random solids stay balanced whatever is swapped, and no ve
     CHECK(scene.merged.repair_displacement > 0);
   }
   CHECK(swaps > scaled_count(150, 10000) / 4);
+}
+
+namespace {
+
+/// Three triangles at the edge 0 - 1, and the sliver (0, 1, 2) between them, which has vertex 2 just above it.
+MergedMesh fan_with_sliver() {
+  SurfaceMesh mesh;
+  mesh.points = {{0, 0, 0}, {1, 0, 0}, {0.5, 0, height / 2}, {0.5, 1, 0}, {0.5, -1, 0}, {0.5, 0, -1}};
+  const VertexId u(0U), v(1U), a(2U);
+  mesh.triangles = {{u, v, a}, {v, u, VertexId(3U)}, {u, v, VertexId(4U)}, {v, u, VertexId(5U)}};
+  MergedMesh merged = merged_of(mesh, 6, points_only(6, 0));
+  merged.provenance.covering_front = {0, 0, 0, 0};
+  merged.provenance.source_operand = {0, 1, 2, 1};
+  merged.provenance.covering_sets = {{}};
+  return merged;
+}
+
+}  // namespace
+
+TEST_CASE("where inner faces are kept, every triangle at the edge of a sliver takes its corner in") {
+  MergedMesh merged = fan_with_sliver();
+  REQUIRE(swap_slivers(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, height, merged));
+  CHECK(merged.mesh.triangles.size() == 6);
+  for (const auto& corners : {std::array<std::size_t, 3>{2, 0, 3}, {3, 1, 2}, {0, 2, 4}, {2, 1, 4}, {2, 0, 5}, {5, 1, 2}}) {
+    CHECK(has_triangle(merged, corners));
+  }
+  std::vector<std::uint32_t> operands = merged.provenance.source_operand;
+  std::sort(operands.begin(), operands.end());
+  CHECK(operands == std::vector<std::uint32_t>{1, 1, 1, 1, 2, 2});
+  CHECK(merged.is_repaired == std::vector<std::uint8_t>(6, 1));
+  CHECK(merged.provenance.other_source_begin == std::vector<std::uint32_t>(7, 0));
+  CHECK(merged.facet_of_triangle.size() == 6);
+}
+
+TEST_CASE("of a boolean only edges of two triangles are swapped") {
+  MergedMesh merged = fan_with_sliver();
+  merged.provenance.covering_front.clear();
+  CHECK_FALSE(swap_slivers(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, height, merged));
 }

@@ -107,7 +107,7 @@ void check_sizes(const BooleanResult& result, Faults& faults) {
   if (p.source_operand.size() != facets || p.source_face.size() != facets || p.flipped.size() != facets)
     faults.add("facet arrays differ in size", facets);
   if (p.other_source_begin.size() != facets + 1 || p.other_source_begin.back() != p.other_source_operand.size() ||
-      p.other_source_face.size() != p.other_source_operand.size()) {
+      p.other_source_face.size() != p.other_source_operand.size() || p.other_source_flipped.size() != p.other_source_operand.size()) {
     faults.add("other sources differ in size", facets);
   }
   if (p.vertex_operand.size() != vertices || p.vertex_source.size() != vertices) faults.add("vertex arrays differ in size", vertices);
@@ -191,13 +191,14 @@ void check_graph(const IntersectionGraph& graph, Faults& faults) {
 
 struct SourceFace {
   std::uint32_t operand, face;
+  int sense;  ///< of the facet in it
   auto operator<=>(const SourceFace&) const = default;
 };
 
 std::vector<SourceFace> sources_of(const Provenance& p, std::size_t facet) {
-  std::vector<SourceFace> sources{{p.source_operand[facet], p.source_face[facet]}};
+  std::vector<SourceFace> sources{{p.source_operand[facet], p.source_face[facet], p.flipped[facet] != 0 ? -1 : 1}};
   for (std::size_t i = p.other_source_begin[facet]; i < p.other_source_begin[facet + 1]; ++i) {
-    sources.push_back({p.other_source_operand[i], p.other_source_face[i]});
+    sources.push_back({p.other_source_operand[i], p.other_source_face[i], p.other_source_flipped[i] != 0 ? -1 : 1});
   }
   return sources;
 }
@@ -397,7 +398,7 @@ void check_facet(const Reference& reference, const BooleanResult& result, std::s
     const int sense = sense_in(facet, source);
     if (sense == 0 && slack > 0 && is_almost_in(facet, source, slack)) continue;
     if (sense == 0) faults.add(s == 0 ? "facet not inside its source face" : "facet not inside its other source", f);
-    const bool runs_wrongly = s == 0 && sense != 0 && sense != (p.flipped[f] != 0 ? -1 : 1);
+    const bool runs_wrongly = sense != 0 && sense != sources[s].sense;
     if (runs_wrongly && !(slack > 0 && is_thin(facet, slack))) faults.add("facet flipped wrongly", f);
     if (s > 0 && sources[s].operand < sources[0].operand) faults.add("first source is not of the lowest operand", f);
   }

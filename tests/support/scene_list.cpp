@@ -11,7 +11,10 @@
 
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/implant.h"
+#include "mortise/boolean/imprint.h"
 #include "mortise/boolean/keep_faces.h"
+#include "mortise/boolean/resolve.h"
 #include "mortise/mesh/shape_by_name.h"
 #include "support/data.h"
 
@@ -134,11 +137,15 @@ std::vector<ListedScene> listed_scenes() {
 }
 
 BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands) {
+  if (word == "imprint") return imprint(operands).whole;
+  if (word == "implant") return implant(operands);
+  if (word == "resolve") return resolve(*operands.front());
   const std::size_t colon = word.find(':');
   if (colon == std::string::npos) return evaluate_boolean(operation_from_name(word), operands);
   const std::string kind = word.substr(0, colon), text = word.substr(colon + 1);
   if (kind == "combine") return evaluate_expression(text, operands);
   if (kind == "keep") return keep_faces(keep_mask(split(text, ',')), operands);
+  if (kind == "implant" && text == "drop") return implant(operands, ImplantContact::Drop);
   throw std::invalid_argument("no operation is called " + kind);
 }
 

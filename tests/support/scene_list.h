@@ -16,7 +16,7 @@ namespace mortise::test {
 /// is; empty where nothing was.
 struct Evaluation {
   std::string name;                ///< "union", "subtract-B-A"
-  std::string word;                ///< the name of an operation, "combine:(a|b)&!c" or "keep:10,same": no spaces
+  std::string word;                ///< the name of an operation, "combine:(a|b)&!c", "keep:10,same", "implant:drop": no spaces
   std::vector<std::size_t> order;  ///< of the operands
   std::string volume, area, genus, parts;
 };

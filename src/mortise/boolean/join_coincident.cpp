@@ -1,38 +1,41 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Spaces on both sides of stacked triangles cancel in pairs; what is left are the two outermost.
+// Spaces on both sides of stacked triangles cancel in pairs; what is left are the two outermost. Or faces of one operand cancel.
 #include "mortise/boolean/join_coincident.h"
 
 #include <algorithm>
-#include <array>
+#include <iterator>
+#include <optional>
 #include <span>
+
+#include "mortise/boolean/facet_sources.h"
+#include "mortise/boolean/stacked_triangles.h"
 
 namespace mortise {
 namespace {
 
-struct Stacked {
-  std::array<VertexId, 3> corners;  // ascending
-  std::uint32_t triangle;
-  bool is_even;  // runs along them
-
-  bool operator<(const Stacked& other) const { return corners != other.corners ? corners < other.corners : triangle < other.triangle; }
+// A source of one of the triangles on the same corners.
+struct StackedSource {
+  SourceFace face;  // flipped: the ascending corners run against it
+  StackedTriangle triangle;
 };
 
-bool repeats_corner(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
-
-std::vector<Stacked> sorted_by_corners(const std::vector<Triangle>& triangles) {
-  std::vector<Stacked> sorted;
-  for (std::uint32_t i = 0; i < triangles.size(); ++i) {
-    const Triangle& t = triangles[i];
-    if (repeats_corner(t)) continue;
-    Stacked s{{t[0], t[1], t[2]}, i, true};
-    std::sort(s.corners.begin(), s.corners.end());
-    const auto first = static_cast<std::size_t>(std::find(t.begin(), t.end(), s.corners[0]) - t.begin());
-    s.is_even = t[(first + 1) % 3] == s.corners[1];
-    sorted.push_back(s);
+// Removes pairs of faces of one operand that run against each other; the rest ascending.
+void cancel_opposites(std::vector<StackedSource>& sources) {
+  std::sort(sources.begin(), sources.end(), [](const StackedSource& a, const StackedSource& b) {
+    return a.face != b.face ? a.face < b.face : a.triangle.triangle < b.triangle.triangle;
+  });
+  for (std::size_t i = 0; i < sources.size();) {
+    const auto opposite = std::find_if(sources.begin() + static_cast<std::ptrdiff_t>(i) + 1, sources.end(), [&](const StackedSource& s) {
+      return s.face.operand == sources[i].face.operand && s.face.is_flipped != sources[i].face.is_flipped;
+    });
+    if (opposite == sources.end()) {
+      ++i;
+      continue;
+    }
+    sources.erase(opposite);
+    sources.erase(sources.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  std::sort(sorted.begin(), sorted.end());
-  return sorted;
 }
 
 class Joiner {
@@ -40,71 +43,114 @@ class Joiner {
   explicit Joiner(MergedMesh& merged) : merged_(merged), remains_(merged.mesh.triangles.size(), 0) {}
 
   [[nodiscard]] std::vector<std::uint8_t> run() {
-    const std::vector<Stacked> sorted = sorted_by_corners(merged_.mesh.triangles);
-    others_.resize(remains_.size());
+    const std::vector<StackedTriangle> sorted = sorted_by_corners(merged_.mesh.triangles);
+    joined_.resize(remains_.size());
     for (std::size_t i = 0; i < sorted.size();) {
       std::size_t end = i;
       while (end < sorted.size() && sorted[end].corners == sorted[i].corners) ++end;
-      join(std::span(sorted).subspan(i, end - i));
+      if (end - i == 1) remains_[sorted[i].triangle] = 1;
+      if (end - i > 1) join(std::span(sorted).subspan(i, end - i));
       i = end;
     }
-    add_other_sources();
+    write_sources();
     return std::move(remains_);
   }
 
  private:
-  void join(std::span<const Stacked> stack) {
-    if (stack.size() == 1) {
-      remains_[stack.front().triangle] = 1;
-      return;
+  void join(std::span<const StackedTriangle> stack) {
+    const std::optional<OuterSpaces> spaces = outer_spaces(stack, merged_.provenance);
+    std::vector<StackedSource> sources = sources_of(stack);
+    if (merged_.keeps_all_sources) cancel_opposites(sources);
+    if (sources.empty() || (!spaces && !merged_.keeps_all_sources)) return;
+    const StackedTriangle& kept = sources.front().triangle;
+    remains_[kept.triangle] = 1;
+    std::vector<SourceFace>& faces = joined_[kept.triangle];
+    for (const StackedSource& s : sources) faces.push_back({s.face.operand, s.face.face, s.face.is_flipped == kept.is_even});
+    Provenance& p = merged_.provenance;
+    if (merged_.keeps_all_sources) {
+      set_spaces_by_sources(stack, kept.triangle);
+      p.category[kept.triangle] = category_seen_from(faces.front(), faces, p, kept.triangle);
+    } else {
+      p.covering_front[kept.triangle] = kept.is_even ? spaces->in_front : spaces->behind;
+      p.covering[kept.triangle] = kept.is_even ? spaces->behind : spaces->in_front;
     }
-    std::vector<std::uint32_t> fronts, backs;  // of the corners in ascending order
-    for (const Stacked& s : stack) {
-      const std::uint32_t front = merged_.provenance.covering_front[s.triangle], back = merged_.provenance.covering[s.triangle];
-      fronts.push_back(s.is_even ? front : back);
-      backs.push_back(s.is_even ? back : front);
-    }
-    for (const std::uint32_t space : std::vector<std::uint32_t>(fronts)) {
-      const auto at = std::find(backs.begin(), backs.end(), space);
-      if (at == backs.end()) continue;
-      backs.erase(at);
-      fronts.erase(std::find(fronts.begin(), fronts.end(), space));
-    }
-    if (fronts.empty()) return;
-    const Stacked& first = stack.front();
-    remains_[first.triangle] = 1;
-    merged_.provenance.covering_front[first.triangle] = first.is_even ? fronts.front() : backs.front();
-    merged_.provenance.covering[first.triangle] = first.is_even ? backs.front() : fronts.front();
-    for (const Stacked& s : stack.subspan(1)) others_[first.triangle].push_back(s.triangle);
   }
 
-  void add_other_sources() {
+  // Operands that have a face here which parts their inside from their outside; ascending.
+  [[nodiscard]] std::vector<std::uint32_t> parted_operands(std::span<const StackedTriangle> stack) const {
+    const Provenance& p = merged_.provenance;
+    std::vector<std::uint32_t> parted;
+    for (const StackedTriangle& t : stack) {
+      const auto &behind = p.covering_sets[p.covering[t.triangle]], &in_front = p.covering_sets[p.covering_front[t.triangle]];
+      std::set_symmetric_difference(behind.begin(), behind.end(), in_front.begin(), in_front.end(), std::back_inserter(parted));
+    }
+    std::sort(parted.begin(), parted.end());
+    parted.erase(std::unique(parted.begin(), parted.end()), parted.end());
+    return parted;
+  }
+
+  // Rounding may have laid faces on one another in another order than the exact one: the spaces between them say nothing then,
+  // but an operand is behind its faces.
+  void set_spaces_by_sources(std::span<const StackedTriangle> stack, std::uint32_t kept) {
     Provenance& p = merged_.provenance;
-    std::vector<std::uint32_t> begin, operand, face;
-    const auto add_others_of = [&](std::size_t t) {
-      for (std::uint32_t i = p.other_source_begin[t]; i < p.other_source_begin[t + 1]; ++i) {
-        operand.push_back(p.other_source_operand[i]);
-        face.push_back(p.other_source_face[i]);
-      }
-    };
-    for (std::size_t t = 0; t < remains_.size(); ++t) {
-      begin.push_back(static_cast<std::uint32_t>(operand.size()));
-      add_others_of(t);
-      for (const std::uint32_t other : others_[t]) {
-        operand.push_back(p.source_operand[other]);
-        face.push_back(p.source_face[other]);
-        add_others_of(other);
+    const std::vector<std::uint32_t> parted = parted_operands(stack);
+    const auto is_parted = [&](std::uint32_t k) { return std::binary_search(parted.begin(), parted.end(), k); };
+    std::vector<std::uint32_t> behind = p.covering_sets[p.covering[kept]];
+    std::erase_if(behind, is_parted);
+    std::vector<std::uint32_t> in_front = behind;
+    for (const SourceFace& s : joined_[kept]) {
+      if (is_parted(s.operand)) (s.is_flipped ? in_front : behind).push_back(s.operand);
+    }
+    p.covering[kept] = covering_of(std::move(behind));
+    p.covering_front[kept] = covering_of(std::move(in_front));
+  }
+
+  [[nodiscard]] std::uint32_t covering_of(std::vector<std::uint32_t> operands) {
+    std::sort(operands.begin(), operands.end());
+    operands.erase(std::unique(operands.begin(), operands.end()), operands.end());
+    std::vector<std::vector<std::uint32_t>>& sets = merged_.provenance.covering_sets;
+    const auto at = std::find(sets.begin(), sets.end(), operands);
+    const auto number = static_cast<std::uint32_t>(at - sets.begin());
+    if (at == sets.end()) sets.push_back(std::move(operands));
+    return number;
+  }
+
+  [[nodiscard]] std::vector<StackedSource> sources_of(std::span<const StackedTriangle> stack) const {
+    std::vector<StackedSource> sources;
+    for (const StackedTriangle& t : stack) {
+      for (SourceFace s : facet_sources(merged_.provenance, t.triangle)) {
+        s.is_flipped = s.is_flipped == t.is_even;
+        sources.push_back({s, t});
       }
     }
-    begin.push_back(static_cast<std::uint32_t>(operand.size()));
-    p.other_source_begin = std::move(begin);
-    p.other_source_operand = std::move(operand);
-    p.other_source_face = std::move(face);
+    return sources;
+  }
+
+  void write_sources() {
+    Provenance& p = merged_.provenance;
+    Provenance others;
+    for (std::size_t t = 0; t < remains_.size(); ++t) {
+      others.other_source_begin.push_back(static_cast<std::uint32_t>(others.other_source_face.size()));
+      const std::vector<SourceFace> sources = joined_[t].empty() ? facet_sources(p, t) : std::move(joined_[t]);
+      p.source_operand[t] = sources.front().operand;
+      p.source_face[t] = sources.front().face;
+      p.flipped[t] = sources.front().is_flipped ? 1 : 0;
+      for (const SourceFace& s : std::span(sources).subspan(1)) {
+        others.other_source_operand.push_back(s.operand);
+        others.other_source_face.push_back(s.face);
+        others.other_source_flipped.push_back(s.is_flipped ? 1 : 0);
+      }
+    }
+    others.other_source_begin.push_back(static_cast<std::uint32_t>(others.other_source_face.size()));
+    p.other_source_begin = std::move(others.other_source_begin);
+    p.other_source_operand = std::move(others.other_source_operand);
+    p.other_source_face = std::move(others.other_source_face);
+    p.other_source_flipped = std::move(others.other_source_flipped);
   }
 
   MergedMesh& merged_;
   std::vector<std::uint8_t> remains_;
-  std::vector<std::vector<std::uint32_t>> others_;  // per triangle: those it stands for as well
+  std::vector<std::vector<SourceFace>> joined_;  // per triangle that stands for several
 };
 
 }  // namespace

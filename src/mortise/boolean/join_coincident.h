@@ -13,6 +13,9 @@ namespace mortise {
 /// Which triangles remain: not those with a corner twice; of those on the same corners the lowest, with the spaces on the far
 /// sides of them all and the sources of them all, unless these spaces are in the same operands.
 ///
+/// Where all sources are kept (an imprint), these decide instead: faces of one operand that run against each other cancel, so
+/// that every operand stays closed by itself, and a triangle remains for what is left.
+///
 /// @param merged  with both its coverings
 /// @return per triangle 1 or 0; `merged` keeps all triangles
 [[nodiscard]] std::vector<std::uint8_t> join_coincident(MergedMesh& merged);

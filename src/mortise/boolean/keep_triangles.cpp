@@ -19,6 +19,7 @@ void keep_other_sources(Provenance& p, const std::vector<std::uint8_t>& is_kept)
   }
   keep_marked(p.other_source_operand, keeps_entry);
   keep_marked(p.other_source_face, keeps_entry);
+  keep_marked(p.other_source_flipped, keeps_entry);
   p.other_source_begin = std::move(begin);
 }
 

@@ -37,6 +37,7 @@ void add_facet(const OperandFaces& faces, const Facets& facets, const KeptFacet&
   for (const FacetSource& s : sources.subspan(1)) {
     provenance.other_source_operand.push_back(faces.operand[s.face].value);
     provenance.other_source_face.push_back(faces.face_in_operand(s.face));
+    provenance.other_source_flipped.push_back(s.is_opposite != kept.is_flipped ? 1 : 0);
   }
 }
 
@@ -131,6 +132,7 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
   const std::vector<VertexId> vertex_of = number_points(faces, facets, kept, merged);
   merged.mesh.triangles.reserve(kept.size());
   merged.facet_of_triangle = kept;
+  merged.keeps_all_sources = selection.keeps_all_sources;
   merged.is_repaired.assign(kept.size(), 0);
   for (const KeptFacet& k : kept) {
     const PlanePoints& c = facets.corners[k.facet];

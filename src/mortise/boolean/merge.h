@@ -20,6 +20,7 @@ struct MergedMesh {
   std::vector<std::uint8_t> is_repaired;                 ///< per triangle: a repair gave it other corners than its facet has
   double repair_displacement = 0;                        ///< the farthest any repair moved a point of the surface
   std::vector<KeptFacet> facets_before_repair;           ///< facet_of_triangle before the first repair; empty when there was none
+  bool keeps_all_sources = false;                        ///< Selection::keeps_all_sources
   IdVector<RegionId, std::uint32_t> covering_of_region;  ///< number of its covering set; none away from kept facets
 };
 

@@ -124,6 +124,35 @@ Selection select_partition(const OperandFaces& faces, const Facets& facets, cons
   return selection;
 }
 
+Selection select_all(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  Selection selection = with_all_coverings(faces, facets, categories);
+  selection.keeps_inner_faces = selection.keeps_all_sources = true;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    selection.kept.push_back(kept_as_it_is(faces, facets, categories.patches, selection, FacetId(i)));
+  }
+  return selection;
+}
+
+Selection select_implant(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
+  Selection selection = with_all_coverings(faces, facets, categories);
+  selection.keeps_inner_faces = true;
+  std::vector<KeptFacet> all;
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    all.push_back(kept_as_it_is(faces, facets, categories.patches, selection, FacetId(i)));
+  }
+  for (std::vector<OperandId>& inside : selection.operands_inside) {
+    if (inside.size() > 1) inside = {inside.back()};
+  }
+  for (KeptFacet& k : all) {
+    const std::vector<OperandId>&behind = selection.operands_inside[k.inside], &in_front = selection.operands_inside[k.outside];
+    if (behind == in_front) continue;
+    k.is_flipped = behind < in_front;
+    if (k.is_flipped) std::swap(k.inside, k.outside);
+    selection.kept.push_back(k);
+  }
+  return selection;
+}
+
 Selection select_cut_faces(const OperandFaces& faces, const Facets& facets, const Categories& categories) {
   Selection selection = with_all_coverings(faces, facets, categories);
   selection.keeps_inner_faces = true;

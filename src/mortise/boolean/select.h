@@ -25,6 +25,7 @@ struct Selection {
   std::vector<KeptFacet> kept;                                 ///< ascending
   IdVector<RegionId, std::vector<OperandId>> operands_inside;  ///< operands that contain a region of the result; else empty
   bool keeps_inner_faces = false;                              ///< both sides of a facet may belong to the result
+  bool keeps_all_sources = false;                              ///< of every operand, so that each stays closed by itself
 };
 
 /// Does a region with these windings belong to the result?
@@ -40,6 +41,13 @@ using InsideRule = std::function<bool(const RunningWinding&)>;
 
 /// The facets on whose sides different operands are: those of the union, and those between its regions.
 [[nodiscard]] Selection select_partition(const OperandFaces& faces, const Facets& facets, const Categories& categories);
+
+/// Every facet, none flipped.
+[[nodiscard]] Selection select_all(const OperandFaces& faces, const Facets& facets, const Categories& categories);
+
+/// The facets on whose sides different operands are when the last of those that contain a region has it for itself; turned
+/// outwards of the later operand.
+[[nodiscard]] Selection select_implant(const OperandFaces& faces, const Facets& facets, const Categories& categories);
 
 /// The facets that change any winding, none flipped.
 [[nodiscard]] Selection select_cut_faces(const OperandFaces& faces, const Facets& facets, const Categories& categories);

@@ -8,11 +8,19 @@
 #include <tuple>
 #include <utility>
 
+#include "mortise/boolean/join_coincident.h"
+#include "mortise/boolean/keep_triangles.h"
 #include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
+
+void keep_rows(const std::vector<std::uint8_t>& remains, MergedMesh& merged) {
+  keep_marked(merged.facet_of_triangle, remains);
+  keep_marked(merged.is_repaired, remains);
+  keep_marked(merged.point_of_vertex, keep_triangles(remains, merged.mesh, merged.provenance));
+}
 
 struct DirectedEdge {
   VertexId from, to;
@@ -24,7 +32,7 @@ struct DirectedEdge {
 class SliverSwapper {
  public:
   SliverSwapper(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged)
-      : least_reach_(least_reach), merged_(merged), mesh_(merged.mesh) {
+      : least_reach_(least_reach), has_inner_faces_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
     std::vector<std::uint8_t> is_near(mesh_.points.size(), 0);
     for (const FailedPair& f : failed) {
       for (const FaceId t : {f.a, f.b}) {
@@ -45,6 +53,7 @@ class SliverSwapper {
   bool run() {
     bool any = false;
     for (const FaceId t : candidates_) any |= swap_if_sliver(t);
+    if (any && has_inner_faces_) keep_rows(join_coincident(merged_), merged_);
     return any;
   }
 
@@ -95,7 +104,7 @@ class SliverSwapper {
 
   //      a               a
   //    /   \           / | \ .
-  //   u-----v   ->    u  |  v     the sliver is u v a
+  //   u-----v   ->    u  |  v     the sliver is u v a, w stands for every other triangle at u v
   //    \   /           \ | /
   //      w               w
   bool swap_if_sliver(FaceId t) {
@@ -105,26 +114,59 @@ class SliverSwapper {
     const VertexId u = mesh_.triangles[t.index()][longest];
     const VertexId v = mesh_.triangles[t.index()][(longest + 1) % 3];
     const VertexId a = mesh_.triangles[t.index()][(longest + 2) % 3];
-    const auto across = find(v, u);
-    if (find(u, v).size() != 1 || across.size() != 1 || was_swapped(across[0].triangle)) return false;
-    const FaceId n = across[0].triangle;
-    const Triangle& c = mesh_.triangles[n.index()];
-    const VertexId w = c[0] != u && c[0] != v ? c[0] : c[1] != u && c[1] != v ? c[1] : c[2];
-    if (w == a || !find(a, w).empty() || !find(w, a).empty()) return false;
+    const std::vector<FaceId> others = others_at(t, u, v);
+    const bool can_split = !others.empty() && (others.size() == 1 || has_inner_faces_) &&
+                           std::all_of(others.begin(), others.end(), [&](FaceId n) { return can_take(n, a, u, v); });
+    if (!can_split) return false;
     note_facets_before_repair(merged_);
-    replace(t, n, {a, u, w}, {w, v, a});
+    swapped_.push_back(t);
+    for (std::size_t i = 0; i < others.size(); ++i) split(others[i], i == 0 ? t : append_row(), {a, u, v});
     merged_.repair_displacement = std::max(merged_.repair_displacement, height);
     return true;
   }
 
+  // All other triangles at the edge of a sliver.
+  [[nodiscard]] std::vector<FaceId> others_at(FaceId t, VertexId u, VertexId v) const {
+    std::vector<FaceId> others;
+    for (const auto& at : {find(v, u), find(u, v)}) {
+      for (const DirectedEdge& e : at) {
+        if (e.triangle != t) others.push_back(e.triangle);
+      }
+    }
+    return others;
+  }
+
+  [[nodiscard]] VertexId apex(FaceId n, VertexId u, VertexId v) const {
+    const Triangle& c = mesh_.triangles[n.index()];
+    return c[0] != u && c[0] != v ? c[0] : c[1] != u && c[1] != v ? c[1] : c[2];
+  }
+
+  // May vertex a go into the edge u v of a triangle? Where inner faces are kept, halves that coincide with others are joined.
+  [[nodiscard]] bool can_take(FaceId n, VertexId a, VertexId u, VertexId v) const {
+    if (was_swapped(n)) return false;
+    const VertexId w = apex(n, u, v);
+    return w != a && (has_inner_faces_ || (find(a, w).empty() && find(w, a).empty()));
+  }
+
+  // Triangle n and the one in `slot` become the halves of n on both sides of vertex a in its edge u v.
+  void split(FaceId n, FaceId slot, const Triangle& sliver) {
+    const auto [a, u, v] = sliver;
+    const VertexId w = apex(n, u, v);
+    const Triangle& c = mesh_.triangles[n.index()];
+    const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin());
+    const bool runs_against = c[(at + 1) % 3] == u;
+    copy_row(slot, n);
+    mesh_.triangles[slot.index()] = runs_against ? Triangle{a, u, w} : Triangle{a, w, u};
+    mesh_.triangles[n.index()] = runs_against ? Triangle{w, v, a} : Triangle{w, a, v};
+    merged_.is_repaired[slot.index()] = merged_.is_repaired[n.index()] = 1;
+    swapped_.push_back(n);
+  }
+
   [[nodiscard]] bool was_swapped(FaceId t) const { return std::find(swapped_.begin(), swapped_.end(), t) != swapped_.end(); }
 
-  // Triangles t and n get new corners; both belong to the face of n.
-  void replace(FaceId t, FaceId n, const Triangle& first, const Triangle& second) {
-    mesh_.triangles[t.index()] = first;
-    mesh_.triangles[n.index()] = second;
+  // Triangle t belongs to the face of n from now on.
+  void copy_row(FaceId t, FaceId n) {
     merged_.facet_of_triangle[t.index()] = merged_.facet_of_triangle[n.index()];
-    merged_.is_repaired[t.index()] = merged_.is_repaired[n.index()] = 1;
     if (!mesh_.face_labels.empty()) mesh_.face_labels[t.index()] = mesh_.face_labels[n.index()];
     Provenance& p = merged_.provenance;
     p.source_operand[t.index()] = p.source_operand[n.index()];
@@ -134,15 +176,26 @@ class SliverSwapper {
     p.covering[t.index()] = p.covering[n.index()];
     if (!p.covering_front.empty()) p.covering_front[t.index()] = p.covering_front[n.index()];
     copy_other_sources(t, n);
-    swapped_.push_back(t);
-    swapped_.push_back(n);
+  }
+
+  FaceId append_row() {
+    Provenance& p = merged_.provenance;
+    mesh_.triangles.emplace_back();
+    if (!mesh_.face_labels.empty()) mesh_.face_labels.push_back(0);
+    merged_.facet_of_triangle.emplace_back();
+    merged_.is_repaired.push_back(0);
+    for (auto* row : {&p.source_operand, &p.source_face, &p.covering, &p.covering_front}) row->push_back(0);
+    p.flipped.push_back(0);
+    p.category.push_back(FacetCategory::Outside);
+    p.other_source_begin.push_back(p.other_source_begin.back());
+    return FaceId(mesh_.triangles.size() - 1);
   }
 
   void copy_other_sources(FaceId to, FaceId from) {
     Provenance& p = merged_.provenance;
-    const auto copy_one = [&](std::vector<std::uint32_t>& entries) {
-      const std::vector<std::uint32_t> source(entries.begin() + p.other_source_begin[from.index()],
-                                              entries.begin() + p.other_source_begin[from.index() + 1]);
+    const auto copy_one = [&](auto& entries) {
+      const std::vector source(entries.begin() + p.other_source_begin[from.index()],
+                               entries.begin() + p.other_source_begin[from.index() + 1]);
       const auto begin = entries.begin() + p.other_source_begin[to.index()];
       const auto at = entries.erase(begin, entries.begin() + p.other_source_begin[to.index() + 1]);
       entries.insert(at, source.begin(), source.end());
@@ -152,10 +205,12 @@ class SliverSwapper {
     if (old_count == 0 && new_count == 0) return;
     copy_one(p.other_source_operand);
     copy_one(p.other_source_face);
+    copy_one(p.other_source_flipped);
     for (std::size_t i = to.index() + 1; i < p.other_source_begin.size(); ++i) p.other_source_begin[i] += new_count - old_count;
   }
 
   double least_reach_;
+  bool has_inner_faces_;
   MergedMesh& merged_;
   SurfaceMesh& mesh_;
   std::vector<FaceId> candidates_;

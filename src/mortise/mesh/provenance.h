@@ -28,8 +28,9 @@ struct Provenance {
   std::vector<std::uint32_t> other_source_begin;  ///< CSR: facet count + 1 offsets into the two arrays below
   std::vector<std::uint32_t> other_source_operand;  ///< further sources that coincide with a facet
   std::vector<std::uint32_t> other_source_face;
-  std::vector<std::uint32_t> vertex_operand;  ///< per vertex: operand of its source vertex, or none
-  std::vector<std::uint32_t> vertex_source;   ///< per vertex: vertex of that operand, or none for a made vertex
+  std::vector<std::uint8_t> other_source_flipped;  ///< 1 when the facet runs against that source
+  std::vector<std::uint32_t> vertex_operand;       ///< per vertex: operand of its source vertex, or none
+  std::vector<std::uint32_t> vertex_source;        ///< per vertex: vertex of that operand, or none for a made vertex
   static constexpr std::uint32_t none = 0xffffffffU;
 };
 

@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// One arrangement with all its facets, then the mesh of each operand out of it.
+#include "mortise/boolean/imprint.h"
+
+#include <algorithm>
+#include <array>
+
+#include "mortise/boolean/evaluate_selection.h"
+#include "mortise/boolean/facet_sources.h"
+
+namespace mortise {
+namespace {
+
+// A triangle of an operand: one of its faces on one facet.
+struct OperandTriangle {
+  std::uint32_t face, facet;
+  bool is_flipped;
+  FacetCategory category;
+};
+
+std::vector<std::vector<OperandTriangle>> triangles_by_operand(const Provenance& provenance, std::size_t operand_count) {
+  std::vector<std::vector<OperandTriangle>> triangles(operand_count);
+  for (std::uint32_t f = 0; f < provenance.source_face.size(); ++f) {
+    if (provenance.other_source_begin[f] == provenance.other_source_begin[f + 1]) {
+      triangles[provenance.source_operand[f]].push_back({provenance.source_face[f], f, provenance.flipped[f] != 0, provenance.category[f]});
+      continue;
+    }
+    const std::vector<SourceFace> sources = facet_sources(provenance, f);
+    for (const SourceFace& s : sources) {
+      triangles[s.operand].push_back({s.face, f, s.is_flipped, category_seen_from(s, sources, provenance, f)});
+    }
+  }
+  for (auto& list : triangles) {
+    std::stable_sort(list.begin(), list.end(), [](const OperandTriangle& a, const OperandTriangle& b) { return a.face < b.face; });
+  }
+  return triangles;
+}
+
+// Reads operands off the whole, one after the other.
+class OperandReader {
+ public:
+  explicit OperandReader(const SurfaceMesh& whole) : whole_(whole), number_(whole.points.size()) {}
+
+  [[nodiscard]] ImprintedOperand read(const SurfaceMesh& given, const std::vector<OperandTriangle>& triangles) {
+    result_ = {};
+    number_vertices(triangles);
+    for (const OperandTriangle& t : triangles) add(t, given);
+    for (const std::uint32_t id : result_.vertex_ids) number_[id] = VertexId();
+    if (!given.face_labels.empty()) {
+      result_.mesh.label_names = given.label_names;
+      for (const OperandTriangle& t : triangles) result_.mesh.face_labels.push_back(given.face_labels[t.face]);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  void number_vertices(const std::vector<OperandTriangle>& triangles) {
+    std::vector<std::uint32_t>& ids = result_.vertex_ids;
+    for (const OperandTriangle& t : triangles) {
+      for (const VertexId v : whole_.triangles[t.facet]) {
+        if (number_[v.index()].is_valid()) continue;
+        number_[v.index()] = VertexId(0U);
+        ids.push_back(v.value);
+      }
+    }
+    std::sort(ids.begin(), ids.end());
+    for (std::size_t i = 0; i < ids.size(); ++i) number_[ids[i]] = VertexId(i);
+    for (const std::uint32_t id : ids) result_.mesh.points.push_back(whole_.points[id]);
+    result_.source_vertex.assign(ids.size(), Provenance::none);
+  }
+
+  void add(const OperandTriangle& t, const SurfaceMesh& given) {
+    const Triangle& c = whole_.triangles[t.facet];
+    Triangle corners{number_[c[0].index()], number_[c[1].index()], number_[c[2].index()]};
+    if (t.is_flipped) std::swap(corners[1], corners[2]);
+    for (const VertexId v : corners) find_source(v, given, given.triangles[t.face]);
+    result_.mesh.triangles.push_back(corners);
+    result_.facet_ids.push_back(t.facet);
+    result_.source_face.push_back(t.face);
+    result_.category.push_back(t.category);
+  }
+
+  // A vertex of the operand is a corner of one of the faces round it.
+  void find_source(VertexId v, const SurfaceMesh& given, const Triangle& face) {
+    std::uint32_t& source = result_.source_vertex[v.index()];
+    for (const VertexId corner : face) {
+      if (given.points[corner.index()] == result_.mesh.points[v.index()]) source = std::min(source, corner.value);
+    }
+  }
+
+  const SurfaceMesh& whole_;
+  std::vector<VertexId> number_;  // per vertex of the whole: in the operand being read
+  ImprintedOperand result_;
+};
+
+}  // namespace
+
+ImprintResult imprint(std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+  ImprintResult result{evaluate_selection("imprint", select_all, operands, options), {}};
+  const auto triangles = triangles_by_operand(result.whole.provenance, operands.size());
+  OperandReader reader(result.whole.mesh);
+  for (std::size_t k = 0; k < operands.size(); ++k) result.operands.push_back(reader.read(*operands[k], triangles[k]));
+  return result;
+}
+
+ImprintResult imprint(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
+  return imprint(std::array{&a, &b}, options);
+}
+
+}  // namespace mortise

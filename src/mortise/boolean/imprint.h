@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Operands split along their contacts, nothing removed (paper 5.2, Fig. 2f, 14).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mortise/boolean/evaluate_boolean.h"
+
+namespace mortise {
+
+/// An operand after an imprint: the same surface, with the edges of all its contacts.
+struct ImprintedOperand {
+  SurfaceMesh mesh;                          ///< in the order of the faces; orientation, labels and their names as in the operand
+  std::vector<std::uint32_t> vertex_ids;     ///< per vertex: its number in ImprintResult::whole, ascending
+  std::vector<std::uint32_t> facet_ids;      ///< per triangle: its number in ImprintResult::whole
+  std::vector<std::uint32_t> source_vertex;  ///< per vertex: the lowest vertex of the operand there; Provenance::none for a made one
+  std::vector<std::uint32_t> source_face;    ///< per triangle
+  std::vector<FacetCategory> category;       ///< per triangle, seen from this operand
+};
+
+/// Operands that share numbers.
+///
+/// Vertices of two operands are one vertex when their `vertex_ids` are equal, edges when the ids of both ends are, triangles when
+/// their `facet_ids` are (they may run against each other). A model is glued by these: `whole.mesh` is the glued one, every
+/// coincident facet in it once, its sources in the provenance; or an operand is taken as it is, and tied to others by number.
+struct ImprintResult {
+  BooleanResult whole;  ///< all facets of all operands; covering sets on both sides, as of a partition
+  std::vector<ImprintedOperand> operands;
+};
+
+/// Splits every operand where it meets others, or itself.
+///
+/// Operands are those of evaluate_boolean. Vertices the cut did not make keep their bits; every operand is as closed as it was.
+/// Faces without area go, vertices without faces too. There is one certificate, about all facets together; a repair moves
+/// vertices for all operands alike. An imprint of imprinted operands adds nothing.
+/// @throws what evaluate_boolean does
+[[nodiscard]] ImprintResult imprint(std::span<const SurfaceMesh* const> operands, const BooleanOptions& options = {});
+[[nodiscard]] ImprintResult imprint(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
+
+}  // namespace mortise
