@@ -88,13 +88,21 @@ function evaluateWord(word, operands) {
   const [kind, text] = word.split(':');
   if (kind === 'combine') return mortise.combine(text, operands);
   if (kind === 'keep') return mortise.keep(text.split(','), operands);
+  if (kind === 'implant') return mortise.implant(operands, { contact: text });
+  if (kind === 'resolve') return mortise.resolve(operands[0]);
   return mortise[functionNames[word] ?? word](operands);
+}
+
+/** The arrays of an operand after an imprint. */
+function arraysOfPart(prefix, { vertexIds, facetIds, sourceVertex, sourceFace, category, ...mesh }) {
+  const arrays = Object.entries({ vertexIds, facetIds, sourceVertex, sourceFace, category });
+  return [...arraysOfMesh(prefix, mesh), ...arrays.map(([field, array]) => [`${prefix}${field}`, bytesOf(array)])];
 }
 
 /** Names and bytes of what the native tool writes for one evaluation. */
 function outcome(name, word, operands) {
   try {
-    const { mesh, provenance, graph, report } = evaluateWord(word, operands);
+    const { mesh, provenance, graph, report, operands: parts = [] } = evaluateWord(word, operands);
     const { categoryNames: _, coveringSets, ...perTriangle } = provenance;
     const { volume, area, minAngleDeg, maxAngleDeg, contact, regions } = report;
     const arrays = {
@@ -112,6 +120,7 @@ function outcome(name, word, operands) {
       ...arraysOfMesh(`${name}.`, mesh),
       ...arraysOfMesh(`${name}.float32.`, mortise.roundToFloat32(mesh)),
       ...Object.entries(arrays).map(([field, array]) => [`${name}.${field}`, bytesOf(array)]),
+      ...parts.flatMap((part, k) => arraysOfPart(`${name}.part${k}.`, part)),
     ];
   } catch (error) {
     if (!(error instanceof MeshError)) throw error;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/imprint.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
@@ -59,6 +60,7 @@ void write_provenance(const std::string& prefix, const Provenance& provenance) {
   write_array(prefix + "otherSourceBegin", provenance.other_source_begin);
   write_array(prefix + "otherSourceOperand", provenance.other_source_operand);
   write_array(prefix + "otherSourceFace", provenance.other_source_face);
+  write_array(prefix + "otherSourceFlipped", provenance.other_source_flipped);
   write_array(prefix + "vertexOperand", provenance.vertex_operand);
   write_array(prefix + "vertexSource", provenance.vertex_source);
 }
@@ -116,9 +118,24 @@ void write_result(const std::string& prefix, const BooleanResult& result) {
   }
 }
 
+void write_imprint(const std::string& prefix, const ImprintResult& result) {
+  write_result(prefix, result.whole);
+  for (std::size_t k = 0; k < result.operands.size(); ++k) {
+    const ImprintedOperand& operand = result.operands[k];
+    const std::string part = prefix + "part" + std::to_string(k) + ".";
+    write_surface(part, operand.mesh);
+    write_array(part + "vertexIds", operand.vertex_ids);
+    write_array(part + "facetIds", operand.facet_ids);
+    write_array(part + "sourceVertex", operand.source_vertex);
+    write_array(part + "sourceFace", operand.source_face);
+    write_array(part + "category", operand.category);
+  }
+}
+
 /// The arrays of a result, or the code of the error instead.
 void write_outcome(const std::string& prefix, const std::string& word, const std::vector<const SurfaceMesh*>& operands) {
   try {
+    if (word == "imprint") return write_imprint(prefix, imprint(operands));
     write_result(prefix, test::evaluate_word(word, operands));
   } catch (const Error& error) {
     const std::string_view code = error_code_name(error.code);

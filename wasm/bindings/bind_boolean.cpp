@@ -12,7 +12,10 @@
 #include "border.h"
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/implant.h"
+#include "mortise/boolean/imprint.h"
 #include "mortise/boolean/keep_faces.h"
+#include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
 #include "report.h"
 
@@ -97,8 +100,29 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   object.set("otherSourceBegin", copy_out(provenance.other_source_begin));
   object.set("otherSourceOperand", copy_out(provenance.other_source_operand));
   object.set("otherSourceFace", copy_out(provenance.other_source_face));
+  object.set("otherSourceFlipped", copy_out(provenance.other_source_flipped));
   object.set("vertexOperand", copy_out(provenance.vertex_operand));
   object.set("vertexSource", copy_out(provenance.vertex_source));
+  return object;
+}
+
+val result_out(const std::vector<SurfaceMesh>& operands, const BooleanResult& result, bool search) {
+  val object = val::object();
+  object.set("mesh", mesh_out(result.mesh));
+  const ResultRegions regions = find_result_regions(result);
+  object.set("report", boolean_report_out(operands, result, regions, search ? Search::SelfIntersections : Search::Nothing));
+  object.set("graph", graph_out(result.graph));
+  object.set("provenance", provenance_out(result.provenance, regions));
+  return object;
+}
+
+val imprinted_operand_out(const ImprintedOperand& operand) {
+  val object = mesh_out(operand.mesh);
+  object.set("vertexIds", copy_out(operand.vertex_ids));
+  object.set("facetIds", copy_out(operand.facet_ids));
+  object.set("sourceVertex", copy_out(operand.source_vertex));
+  object.set("sourceFace", copy_out(operand.source_face));
+  object.set("category", copy_out(category_codes(operand.category)));
   return object;
 }
 
@@ -108,14 +132,7 @@ using Evaluate = std::function<BooleanResult(const Operands&, const BooleanOptio
 val answer_boolean(const val& meshes, const val& listener, bool search, const Evaluate& evaluate) {
   return answer([&] {
     const std::vector<SurfaceMesh> operands = operands_in(meshes);
-    const BooleanResult result = evaluate(pointers_to(operands), options_in(listener));
-    val object = val::object();
-    object.set("mesh", mesh_out(result.mesh));
-    const ResultRegions regions = find_result_regions(result);
-    object.set("report", boolean_report_out(operands, result, regions, search ? Search::SelfIntersections : Search::Nothing));
-    object.set("graph", graph_out(result.graph));
-    object.set("provenance", provenance_out(result.provenance, regions));
-    return object;
+    return result_out(operands, evaluate(pointers_to(operands), options_in(listener)), search);
   });
 }
 
@@ -137,12 +154,40 @@ val keep(const val& tags, const val& meshes, const val& listener, bool search) {
   });
 }
 
+val implant_components(const std::string& contact, const val& meshes, const val& listener, bool search) {
+  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+    return implant(operands, contact == "drop" ? ImplantContact::Drop : ImplantContact::Keep, options);
+  });
+}
+
+val resolve_mesh(const val& mesh, const val& listener, bool search) {
+  const val meshes = val::array();
+  meshes.call<void>("push", mesh);
+  return answer_boolean(meshes, listener, search,
+                        [&](const Operands& operands, const BooleanOptions& options) { return resolve(*operands.front(), options); });
+}
+
+val imprint_operands(const val& meshes, const val& listener, bool search) {
+  return answer([&] {
+    const std::vector<SurfaceMesh> operands = operands_in(meshes);
+    const ImprintResult result = imprint(pointers_to(operands), options_in(listener));
+    val object = result_out(operands, result.whole, search);
+    val array = val::array();
+    for (const ImprintedOperand& operand : result.operands) array.call<void>("push", imprinted_operand_out(operand));
+    object.set("operands", array);
+    return object;
+  });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(mortise_boolean) {
   emscripten::function("evaluateBoolean", &evaluate);
   emscripten::function("evaluateExpression", &combine);
   emscripten::function("keepFaces", &keep);
+  emscripten::function("implant", &implant_components);
+  emscripten::function("imprint", &imprint_operands);
+  emscripten::function("resolve", &resolve_mesh);
 }
 
 }  // namespace mortise::wasm

@@ -181,6 +181,16 @@ export function checkInspect({ inspect = true }) {
 }
 
 /**
+ * What becomes of the faces between host and component.
+ * @param {unknown} contact
+ * @returns {'keep' | 'drop'}
+ */
+export function checkContact(contact = 'keep') {
+  if (contact !== 'keep' && contact !== 'drop') throw invalidArgument(`contact must be 'keep' or 'drop', not ${describe(contact)}`);
+  return contact;
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation

@@ -53,6 +53,12 @@ export function createAsyncApi(compileFrom, host) {
     combine: later('combine'),
     /** @type {typeof import('./index.js').keep} */
     keep: later('keep'),
+    /** @type {typeof import('./index.js').imprint} */
+    imprint: later('imprint'),
+    /** @type {typeof import('./index.js').implant} */
+    implant: later('implant'),
+    /** @type {typeof import('./index.js').resolve} */
+    resolve: later('resolve'),
     /** @type {typeof import('./index.js').inspect} */
     inspect: later('inspect'),
     /** @type {typeof import('./index.js').transform} */

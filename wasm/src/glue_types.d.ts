@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the bindings export; the glue the compiler writes carries no types.
 
-import type { BooleanResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart, PinchFreeMesh, RepairedMesh, Report, Section } from './index.js';
+import type { BooleanResult, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart, PinchFreeMesh, RepairedMesh, Report, Section } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -36,6 +36,18 @@ export interface Core {
     listener: ((stage: string, fraction: number) => boolean) | undefined,
     inspect: boolean,
   ): Answer<BooleanResult>;
+  implant(
+    contact: string,
+    operands: CheckedMesh[],
+    listener: ((stage: string, fraction: number) => boolean) | undefined,
+    inspect: boolean,
+  ): Answer<BooleanResult>;
+  imprint(
+    operands: CheckedMesh[],
+    listener: ((stage: string, fraction: number) => boolean) | undefined,
+    inspect: boolean,
+  ): Answer<ImprintResult>;
+  resolve(mesh: CheckedMesh, listener: ((stage: string, fraction: number) => boolean) | undefined, inspect: boolean): Answer<BooleanResult>;
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;

@@ -114,7 +114,7 @@ export interface Provenance {
   flipped: Uint8Array;
   /** Per triangle: id of the region behind it; 0 in an open result. */
   regionLeft: Uint32Array;
-  /** Per triangle: id of the region in front of it; 0 but for a partition. */
+  /** Per triangle: id of the region in front of it; 0 but for a partition, an implant or an imprint. */
   regionRight: Uint32Array;
   /** Per triangle: how it lies to the operands other than its own, an index into `categoryNames`. */
   category: Uint8Array;
@@ -123,12 +123,14 @@ export interface Provenance {
   /** Per triangle: which operands contain the space just behind it, an index into `coveringSets`. */
   covering: Uint32Array;
   coveringSets: Uint32Array[];
-  /** Of a partition, per triangle: which operands contain the space just in front of it. */
+  /** Of a partition, an implant or an imprint, per triangle: which operands contain the space just in front of it. */
   coveringFront?: Uint32Array;
   /** Triangle i coincides also with the sources from otherSourceBegin[i] up to otherSourceBegin[i + 1] of the next two arrays. */
   otherSourceBegin: Uint32Array;
   otherSourceOperand: Uint32Array;
   otherSourceFace: Uint32Array;
+  /** Of these further sources: 1 when the triangle runs against it. */
+  otherSourceFlipped: Uint8Array;
   /** Per vertex: operand of the vertex it is, or 0xffffffff for a vertex the cut made. */
   vertexOperand: Uint32Array;
   /** Per vertex: vertex of that operand, or 0xffffffff for a vertex the cut made. */
@@ -158,6 +160,31 @@ export interface BooleanOptions {
    * With false `report.selfIntersections` is null and `report.notes` do not speak of them; all else is the same, `certified` too.
    */
   inspect?: boolean;
+}
+
+/** An operand after an imprint; pass it on as a mesh. Equal ids are one vertex, or coinciding triangles, of several operands. */
+export interface ImprintedOperand extends Mesh {
+  /** Per vertex: its number in the `mesh` of the result, ascending. */
+  vertexIds: Uint32Array;
+  /** Per triangle: its number in the `mesh` of the result; triangles of two operands with one number may run against each other. */
+  facetIds: Uint32Array;
+  /** Per vertex: the lowest vertex of the operand there, or 0xffffffff for a vertex the cut made. */
+  sourceVertex: Uint32Array;
+  /** Per triangle: the triangle of the operand it is a part of; ascending. */
+  sourceFace: Uint32Array;
+  /** Per triangle, seen from this operand: an index into `provenance.categoryNames`. */
+  category: Uint8Array;
+}
+
+export interface ImprintResult extends BooleanResult {
+  /** All triangles of all operands, those that coincide once: the model glued together. Provenance, graph and report are about it. */
+  mesh: Mesh;
+  operands: ImprintedOperand[];
+}
+
+export interface ImplantOptions extends BooleanOptions {
+  /** The faces between host and component: 'keep' (the default) makes them regions of one mesh, 'drop' one body. */
+  contact?: 'keep' | 'drop';
 }
 
 /** Exactly one of the properties. */
@@ -346,6 +373,13 @@ export interface Mortise {
   partition(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
   combine(expression: string, operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
   keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  imprint(operands: readonly MeshInput[], options?: BooleanOptions): ImprintResult;
+  imprint(first: MeshInput, ...rest: MeshInput[]): ImprintResult;
+  imprint(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): ImprintResult;
+  implant(operands: readonly MeshInput[], options?: ImplantOptions): BooleanResult;
+  implant(host: MeshInput, component: MeshInput, ...rest: MeshInput[]): BooleanResult;
+  implant(...operandsAndOptions: [MeshInput, MeshInput, ...MeshInput[], ImplantOptions]): BooleanResult;
+  resolve(mesh: MeshInput, options?: BooleanOptions): BooleanResult;
   inspect(mesh: MeshInput): Report;
   transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
   roundToFloat32(mesh: MeshInput): Mesh;
@@ -396,6 +430,25 @@ export function combine(expression: string, operands: readonly MeshInput[], opti
 
 /** The faces with the given tags after cutting all operands along their contacts; the result may be open. */
 export function keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+
+/**
+ * Every operand as it is, split along its contacts with the others; nothing is removed. Vertices, edges (by their vertices) and
+ * coinciding triangles of `operands` have common ids; `mesh` has each of them once.
+ */
+export function imprint(operands: readonly MeshInput[], options?: BooleanOptions): Promise<ImprintResult>;
+export function imprint(first: MeshInput, ...rest: MeshInput[]): Promise<ImprintResult>;
+export function imprint(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<ImprintResult>;
+
+/**
+ * Components set into a host: host faces inside a component go, where faces coincide there is one, both sides share every edge. A
+ * component stays entire; space inside both is the component's (the last one's). With `contact: 'drop'` it is the union.
+ */
+export function implant(operands: readonly MeshInput[], options?: ImplantOptions): Promise<BooleanResult>;
+export function implant(host: MeshInput, component: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
+export function implant(...operandsAndOptions: [MeshInput, MeshInput, ...MeshInput[], ImplantOptions]): Promise<BooleanResult>;
+
+/** The boundary of what a mesh that overlaps or crosses itself covers: all points where its winding is positive. */
+export function resolve(mesh: MeshInput, options?: BooleanOptions): Promise<BooleanResult>;
 
 /** Numbers about one mesh. */
 export function inspect(mesh: MeshInput): Promise<Report>;

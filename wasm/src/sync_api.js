@@ -3,7 +3,7 @@
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
 // @ts-check
 
-import { checkInspect, checkMesh, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import { checkContact, checkInspect, checkMesh, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
@@ -121,15 +121,16 @@ function guardProgress(progress) {
 }
 
 /**
- * @typedef {(core: Core, meshes: CheckedMesh[], report: ReturnType<typeof guardProgress>['report'], inspect: boolean) =>
- *   Answer<import('./index.js').BooleanResult>} BooleanCall
+ * @template {import('./index.js').BooleanResult} Result
+ * @typedef {(core: Core, meshes: CheckedMesh[], report: ReturnType<typeof guardProgress>['report'], inspect: boolean) => Answer<Result>} BooleanCall
  */
 
 /**
+ * @template {import('./index.js').BooleanResult} Result
  * @param {Session} session
- * @param {BooleanCall} call
+ * @param {BooleanCall<Result>} call
  * @param {{ operands: any, options: any }} args
- * @returns {import('./index.js').BooleanResult}
+ * @returns {Result}
  */
 function evaluateWith(session, call, { operands, options }) {
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
@@ -175,6 +176,18 @@ function combine(session, [expression, operands, options]) {
 function keep(session, [tags, operands, options]) {
   if (!Array.isArray(tags) || tags.some((tag) => typeof tag !== 'string')) throw invalidArgument(`keep takes an array of tags first, not ${describe(tags)}`);
   return evaluateWith(session, (core, ...rest) => core.keepFaces(tags, ...rest), { operands: checkOperands(operands, 'keep'), options });
+}
+
+/**
+ * implant(host, component, ..., options?)
+ * @param {Session} session
+ * @param {any[]} args
+ */
+function implant(session, args) {
+  const { operands, options } = splitOperands(args, 'implant');
+  const { contact, ...others } = checkOptions(options, ['contact', 'onProgress', 'signal', 'inspect']);
+  const checked = checkContact(contact);
+  return evaluateWith(session, (core, ...rest) => core.implant(checked, ...rest), { operands, options: others });
 }
 
 /**
@@ -238,6 +251,9 @@ export function createSyncApi(core, host, onStop) {
     partition: (/** @type {any[]} */ ...args) => evaluate(session, 'partition', args),
     combine: (/** @type {any[]} */ ...args) => combine(session, args),
     keep: (/** @type {any[]} */ ...args) => keep(session, args),
+    imprint: (/** @type {any[]} */ ...args) => evaluateWith(session, (core, ...rest) => core.imprint(...rest), splitOperands(args, 'imprint')),
+    implant: (/** @type {any[]} */ ...args) => implant(session, args),
+    resolve: (mesh, options) => evaluateWith(session, (core, [only], ...rest) => core.resolve(only, ...rest), { operands: [mesh], options }),
     inspect: (mesh) => inspectMesh(session, mesh),
     transform: (mesh, steps) => {
       const checked = checkMesh(mesh, 'mesh');

@@ -62,6 +62,41 @@ test('xor, partition, combine and keep write a file and a report', (t) => {
   assert.equal(run(['combine', 'a', '-o', 'out.off'], { cwd }).code, 2);
 });
 
+test('imprint writes a file for every mesh, with the same vertices on both sides', (t) => {
+  const cwd = cubes(t);
+  const json = report(cwd, 'imprint', 'a.ply', 'b.obj', '-o', 'part-%d.off');
+  assert.deepEqual([json.certified, json.regions.length, json.graph.closedLoops], [true, 3, 1]);
+  assert.deepEqual(json.operands.map(({ name }) => name), ['a.ply', 'b.obj']);
+  const [a, b] = [1, 2].map((i) => mortise.readMesh(join(cwd, `part-${i}.off`)));
+  for (const mesh of [a, b]) assert.deepEqual([mortise.inspect(mesh).volume, mortise.inspect(mesh).closed], [1, true]);
+  const { operands } = mortise.imprint([cube(), cube(0.5, 0.5, 0.5)]);
+  assert.deepEqual([a.positions.length, b.positions.length], operands.map(({ positions }) => positions.length));
+  assert.equal(mortise.imprint([a, b]).mesh.triangles.length, mortise.imprint([cube(), cube(0.5, 0.5, 0.5)]).mesh.triangles.length);
+  assert.equal(report(cwd, 'imprint', 'a.ply', 'b.obj', '-o', 'part-%d.stl').certified, true);
+  assert.equal(run(['imprint', 'a.ply', 'b.obj', '-o', 'out.off'], { cwd }).code, 2);
+  assert.equal(run(['imprint', '-o', 'out-%d.off'], { cwd }).code, 2);
+});
+
+test('implant sets a part into a host, with its contact faces or without', (t) => {
+  const cwd = cubes(t);
+  const kept = report(cwd, 'implant', 'a.ply', 'b.obj', '-o', 'out.off');
+  assert.deepEqual(kept.regions.map(({ operands, volume }) => [operands.join(), volume]).sort(), [['0', 0.875], ['1', 1]]);
+  assert.deepEqual([kept.volume, kept.closed], [1.875, true]);
+  const one = report(cwd, 'implant', 'a.ply', 'b.obj', '-o', 'out.off', '--contact', 'drop');
+  assert.deepEqual([one.volume, one.regions.length], [1.875, 1]);
+  assert.equal(run(['implant', 'a.ply', '-o', 'out.off'], { cwd }).code, 2);
+  assert.equal(run(['implant', 'a.ply', 'b.obj', '-o', 'out.off', '--contact', 'glue'], { cwd }).code, 2);
+});
+
+test('resolve writes what a mesh that overlaps itself covers', (t) => {
+  const cwd = cubes(t);
+  const [a, b] = [cube(), cube(0.5, 0.5, 0.5)];
+  const both = { positions: [...a.positions, ...b.positions], triangles: [...a.triangles, ...b.triangles.map((v) => v + 8)] };
+  mortise.writeMesh(join(cwd, 'both.ply'), both);
+  assert.equal(report(cwd, 'resolve', 'both.ply', '-o', 'out.off').volume, 1.875);
+  assert.equal(run(['resolve', 'a.ply', 'b.obj', '-o', 'out.off'], { cwd }).code, 2);
+});
+
 test('a partition may be stored as float32 when it keeps its faces', (t) => {
   const cwd = cubes(t);
   mortise.writeMesh(join(cwd, 'c.ply'), cube(1 / 3, 1 / 3, 1 / 3));
@@ -179,7 +214,7 @@ test('help and version', () => {
   const general = run(['--help']);
   assert.equal(general.code, 0);
   assert.equal(run(['--version']).out, `${version}\n`);
-  for (const verb of ['union', 'intersect', 'subtract', 'xor', 'partition', 'combine', 'keep', 'split', 'repair', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
+  for (const verb of ['union', 'intersect', 'subtract', 'xor', 'partition', 'combine', 'keep', 'imprint', 'implant', 'resolve', 'split', 'repair', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
     assert.match(general.out, new RegExp(`mortise ${verb} `));
     const { code, out } = run([verb, '--help']);
     assert.equal(code, 0);

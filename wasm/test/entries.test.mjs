@@ -21,8 +21,8 @@ import { cube, meshError } from './support.mjs';
 const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
 const names = [
-  ...['MeshError', 'combine', 'extrudeTo', 'inspect', 'intersect', 'keep', 'load', 'make', 'partition', 'readMesh', 'repair', 'roundToFloat32'],
-  ...['slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh'],
+  ...['MeshError', 'combine', 'extrudeTo', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'partition', 'readMesh', 'repair'],
+  ...['resolve', 'roundToFloat32', 'slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh'],
 ];
 
 test('import, require and the browser entry export the same names', () => {

@@ -15,6 +15,7 @@ import { errorText } from './error_text.js';
 import { exitCode, exitCodeOf } from './exit_codes.js';
 import { booleanVerb } from './verbs/boolean.js';
 import { extrudeVerb } from './verbs/extrude.js';
+import { imprintVerb } from './verbs/imprint.js';
 import { inspectVerb } from './verbs/inspect.js';
 import { makeVerb } from './verbs/make.js';
 import { repairVerb } from './verbs/repair.js';
@@ -32,6 +33,9 @@ const verbs = {
   nru: booleanVerb('partition'),
   combine: booleanVerb('combine'),
   keep: booleanVerb('keep'),
+  imprint: imprintVerb,
+  implant: booleanVerb('implant'),
+  resolve: booleanVerb('resolve'),
   split: splitVerb,
   repair: repairVerb,
   extrude: extrudeVerb,
@@ -52,6 +56,9 @@ Exact booleans of triangle meshes.
   mortise partition A B [C...] -o OUT     the union, its regions kept apart
   mortise combine "(a|b)&!c" A B C -o OUT what an expression says
   mortise keep 10,21,same A B -o OUT      faces by tags, the result may be open
+  mortise imprint A B [C...] -o OUT-%d.ply  every one, split along their contacts
+  mortise implant HOST PART -o OUT        a part set into a host, as a gun into a deck
+  mortise resolve IN -o OUT               a mesh that overlaps itself, as what it covers
   mortise split IN -o OUT-%d.stl          its parts or its solids, one file each
   mortise repair IN -o OUT --STEP ...     mends what is asked for, says what it did
   mortise extrude IN -o OUT --to-z Z      the solid under or over a terrain

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, extrudeTo, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair, slice, split, splitPinches } from 'mortise';
-import { subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
-import type { BooleanResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
+import { combine, extrudeTo, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair } from 'mortise';
+import { resolve, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
+import type { BooleanResult, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -23,6 +23,16 @@ const inFront: Uint32Array | undefined = divided.provenance.coveringFront;
 await symmetricDifference([box, moved], { inspect: false });
 await combine('(a | b) - c', [box, moved, prism]);
 await keep(['10', 'same'], [box, moved]);
+const imprinted: ImprintResult = await imprint(box, moved, { inspect: false });
+await imprint(imprinted.operands);
+const sharedIds: Uint32Array[] = imprinted.operands.map(({ vertexIds }) => vertexIds);
+await implant(box, moved, prism, { contact: 'drop' });
+await implant([box, moved]);
+const resolved: BooleanResult = await resolve(soup, { inspect: false });
+// @ts-expect-error: a host and a component are needed
+await implant(box);
+// @ts-expect-error: keep or drop
+await implant([box, moved], { contact: 'glue' });
 // @ts-expect-error: no such tag
 await keep(['12'], [box, moved]);
 
@@ -80,5 +90,5 @@ await transform(box, [{ scale: 2, rotateX: 90 }]);
 // @ts-expect-error a promise is not a mesh
 await union(make('box'), box);
 
-console.log(parts, sources, shells, step, polygons);
+console.log(sharedIds, resolved, parts, sources, shells, step, polygons);
 console.log(operands, chains, genus, found, report.certified, nowBytes);

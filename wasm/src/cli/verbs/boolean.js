@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// mortise union|intersect|subtract|xor|partition A B [C...] -o OUT, mortise combine EXPRESSION A B ..., mortise keep TAGS A B ...
+// mortise union|intersect|subtract|xor|partition A B [C...] -o OUT, mortise combine EXPRESSION A B ..., mortise keep TAGS A B ...,
+// mortise implant HOST COMPONENT ..., mortise resolve IN
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
@@ -13,7 +14,10 @@ import { storedResult } from '../stored.js';
  * @typedef {object} Kind
  * @property {string} meaning
  * @property {string} [word] its name
- * @property {(mortise: import('../../index.js').Mortise, operands: import('../../index.js').Mesh[], word: string) =>
+ * @property {string} [files] what the files are; default A B [C...]
+ * @property {Record<string, import('../arguments.js').Option>} [options]
+ * @property {string} [optionHelp]
+ * @property {(mortise: import('../../index.js').Mortise, operands: import('../../index.js').Mesh[], word: string, values: Record<string, any>) =>
  *   import('../../index.js').BooleanResult} evaluate
  */
 
@@ -39,16 +43,38 @@ From tight to loose: ! outside, - without, & and, ^ an odd number, | or; parenth
 10 and 11 of the first mesh outside and inside others, 20 and 21 of the others, same and opposite where faces coincide.`,
     evaluate: (mortise, operands, word) => mortise.keep(/** @type {any} */ (word.split(',')), operands),
   },
+  implant: {
+    files: 'HOST COMPONENT [COMPONENT...]',
+    meaning: `The host with components set into it, as a gun into a deck: host faces inside a component go, where faces coincide there is one.
+A component stays entire; what lies inside both is the component's, the last one's where components overlap.`,
+    options: { contact: { type: 'string' } },
+    optionHelp: '  --contact keep|drop   the faces between host and component: keep them (the default), or drop them to make one body\n',
+    evaluate: (mortise, operands, _, values) => mortise.implant(operands, { contact: values.contact }),
+  },
+  resolve: {
+    files: 'IN',
+    meaning: 'The boundary of what a mesh that overlaps or crosses itself covers.',
+    evaluate: (mortise, operands) => resolveOne(mortise, operands),
+  },
 };
+
+/**
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {import('../../index.js').Mesh[]} operands
+ */
+function resolveOne(mortise, operands) {
+  if (operands.length !== 1) throw invalidArgument('resolve needs one mesh file');
+  return mortise.resolve(operands[0]);
+}
 
 /** @param {string} name */
 function helpText(name) {
-  const { meaning, word } = kinds[name];
-  return `mortise ${name} ${word === undefined ? '' : `${word} `}A B [C...] -o OUT
+  const { meaning, word, files = 'A B [C...]', optionHelp = '' } = kinds[name];
+  return `mortise ${name} ${word === undefined ? '' : `${word} `}${files} -o OUT
 
 ${meaning} Meshes are closed; they may touch, coincide, contain one another and cross themselves.
 
-  -o, --output FILE     .stl .obj .ply .off; - is the standard output
+${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard output
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   --allow-uncertified   write the result even when it is not proven free of new crossings
@@ -61,17 +87,17 @@ ${meaning} Meshes are closed; they may touch, coincide, contain one another and 
  * @returns {import('../common.js').Verb}
  */
 export function booleanVerb(name) {
-  const { word, evaluate } = kinds[name];
+  const { word, evaluate, options } = kinds[name];
   return {
     help: helpText(name),
-    options: { ...writingOptions, 'allow-uncertified': { type: 'boolean' } },
+    options: { ...writingOptions, ...options, 'allow-uncertified': { type: 'boolean' } },
     run(mortise, args, streams) {
       const target = targetOf(args);
       const files = word === undefined ? args.positionals : args.positionals.slice(1);
       if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
       const operands = files.map((file) => readOperand(mortise, file, args, streams));
-      const result = namingFiles(files, () => evaluate(mortise, operands, args.positionals[0]));
+      const result = namingFiles(files, () => evaluate(mortise, operands, args.positionals[0], args.values));
       const { mesh, report } = storedResult(mortise, result, target.format);
       const refused = !report.certified && !args.values['allow-uncertified'];
       if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);

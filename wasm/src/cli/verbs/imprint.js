@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// mortise imprint A B [C...] -o OUT-%d.ply
+// @ts-check
+
+import { invalidArgument } from '../../errors.js';
+import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';
+import { exitCode } from '../exit_codes.js';
+import { storedResult } from '../stored.js';
+
+/** @type {import('../common.js').Verb} */
+export const imprintVerb = {
+  help: `mortise imprint A B [C...] -o OUT-%d.ply
+
+Every mesh as it is, split along its contacts with the others: nothing is removed, and both sides have the same vertices,
+edges and coinciding triangles. %d in the name becomes 1, 2, 3, ... in the order of the meshes. The report is about all of them
+as one mesh, triangles that coincide counted once. Meshes are closed; they may touch, coincide, contain one another and cross.
+
+  -o, --output FILE     .stl .obj .ply .off, with %d in its name
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
+  --json                print the report as JSON
+  --allow-uncertified   write the meshes even when they are not proven free of new crossings
+  -q, --quiet           print no report
+`,
+  options: { ...writingOptions, 'allow-uncertified': { type: 'boolean' } },
+  run(mortise, args, streams) {
+    const target = targetOf(args);
+    const files = args.positionals;
+    if (!target.file.includes('%d')) throw invalidArgument(`-o needs a file name with %d in it for the number of the mesh, not '${target.file}'`);
+    if (files.length === 0) throw invalidArgument('imprint needs mesh files');
+    const begin = performance.now();
+    const operands = files.map((file) => readOperand(mortise, file, args, streams));
+    const result = namingFiles(files, () => mortise.imprint(operands));
+    const { report } = storedResult(mortise, result, target.format);
+    const refused = !report.certified && !args.values['allow-uncertified'];
+    const written = refused ? [] : result.operands;
+    written.forEach((operand, i) => {
+      send({ ...target, file: target.file.replaceAll('%d', String(i + 1)) }, mortise.writeMesh(operand, { format: target.format }), streams);
+    });
+    report.operands = report.operands.map((operand, i) => ({ name: displayName(files[i]), ...operand }));
+    report.milliseconds = performance.now() - begin;
+    printReport(report, ['imprint', refused ? 'not written' : `${target.file} (${target.format})`], args, streams);
+    if (refused) streams.err('mortise: the result is not certified and was not written; --allow-uncertified writes it\n');
+    return refused ? exitCode.refused : exitCode.ok;
+  },
+};
