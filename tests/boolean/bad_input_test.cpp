@@ -6,6 +6,8 @@
 #include <limits>
 #include <random>
 
+#include "mortise/boolean/result_regions.h"
+#include "mortise/mesh/measures.h"
 #include "support/boolean_checks.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
@@ -222,10 +224,12 @@ void check_solid(const SurfaceMesh& mesh, const Expectation& expected) {
 /// Refused in every place, by name, with the operand and the places.
 void check_refused(const SurfaceMesh& mesh, ErrorCode code) {
   const SurfaceMesh across = box_across(mesh);
+  BooleanOptions options;
+  options.require_solids = code == ErrorCode::NotClosed;
   for (const int place : {0, 1}) {
-    const std::vector<SurfaceMesh> operands = place == 0 ? std::vector{mesh, across} : std::vector{across, mesh};
+    const std::vector<const SurfaceMesh*> operands = place == 0 ? std::vector{&mesh, &across} : std::vector{&across, &mesh};
     for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) {
-      const std::optional<Error> error = error_of([&] { (void)evaluate(operation, operands); });
+      const std::optional<Error> error = error_of([&] { (void)evaluate_boolean(operation, operands, options); });
       REQUIRE(error.has_value());
       CHECK(error_code_name(error->code) == error_code_name(code));
       CHECK(error->operand == place);
@@ -235,6 +239,26 @@ void check_refused(const SurfaceMesh& mesh, ErrorCode code) {
       CHECK(!error->message.empty());
     }
   }
+}
+
+/// An open mesh is a sheet: a box across cuts it in what is inside and what is outside, and is divided by it.
+void check_sheet(const SurfaceMesh& mesh) {
+  const SurfaceMesh across = box_across(mesh);
+  const bool may_cross = crosses_itself(mesh);
+  const BooleanResult alone = evaluate(Operation::Union, {mesh}), inside = evaluate(Operation::Intersect, {across, mesh}),
+                      outside = evaluate(Operation::Subtract, {mesh, across}), all = evaluate(Operation::Union, {across, mesh}),
+                      divided = evaluate(Operation::Partition, {mesh, across});
+  for (const BooleanResult* result : {&alone, &inside, &outside, &all, &divided}) {
+    REQUIRE(result->report.sheets.size() == 1);
+    if (!may_cross) CHECK(result->report.certificate.status == CertificateStatus::Certified);
+    if (!may_cross && result->mesh.triangles.size() < 6000) CHECK(!crosses_itself(result->mesh));
+  }
+  const double area = surface_area(alone.mesh), box_area = surface_area(across), tolerance = 1e-9 * (area + box_area);
+  CHECK(is_close(surface_area(inside.mesh) + surface_area(outside.mesh), area, tolerance));
+  CHECK(is_close(surface_area(all.mesh), box_area + surface_area(outside.mesh), tolerance));
+  CHECK(is_close(surface_area(divided.mesh), box_area + area, tolerance));
+  CHECK(is_close(find_result_regions(all).total_volume(), exact_volume(across), 1e-9 * exact_volume(across)));
+  CHECK(is_close(find_result_regions(divided).total_volume(), exact_volume(across), 1e-9 * exact_volume(across)));
 }
 
 void check_unreadable(const std::string& path, ErrorCode code) {
@@ -252,6 +276,7 @@ void check_file(const std::string& folder, const Expectation& expected) {
   const SurfaceMesh mesh = read_data(path), before = mesh;
   if (expected.refusing) {
     check_refused(mesh, *expected.refusing);
+    if (*expected.refusing == ErrorCode::NotClosed) check_sheet(mesh);
   } else {
     check_solid(mesh, expected);
   }

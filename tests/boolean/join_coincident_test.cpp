@@ -31,6 +31,8 @@ MergedMesh stack_of(const std::vector<Layer>& layers) {
     p.other_source_begin.push_back(0);
   }
   p.other_source_begin.push_back(0);
+  p.covering_sets = {{}, {0}, {1}, {2}};
+  p.keeps_regions_apart = true;
   return merged;
 }
 
@@ -79,9 +81,22 @@ TEST_CASE("a triangle on its own stays, one with a corner twice goes", "[join_co
   CHECK(merged.provenance.covering[0] == 1);
 }
 
-TEST_CASE("a triangle on its own stays with the same operands on both sides", "[join_coincident]") {
-  MergedMesh merged = stack_of({{true, 1, 1}});
-  CHECK(join_coincident(merged) == Remains{1});
+TEST_CASE("sheets stay, on their own and where regions vanish; walls are marked", "[join_coincident][sheets]") {
+  MergedMesh alone = stack_of({{true, 1, 1}});
+  CHECK(join_coincident(alone) == Remains{1});
+  MergedMesh two = stack_of({{true, 1, 1}, {false, 1, 1}});
+  CHECK(join_coincident(two) == Remains{1, 0});
+  CHECK(two.mesh.walls == Remains{1, 0});
+  MergedMesh on_a_side = stack_of({{true, 0, 0}, {true, 0, 1}});
+  CHECK(join_coincident(on_a_side) == Remains{1, 0});
+  CHECK((on_a_side.provenance.covering_front[0] == 0 && on_a_side.provenance.covering[0] == 1));
+  CHECK(on_a_side.mesh.walls.empty());
+  MergedMesh between = stack_of({{true, 0, 1}, {true, 1, 2}, {true, 2, 3}});
+  CHECK(join_coincident(between) == Remains{1, 0, 0});
+  CHECK(between.mesh.walls.empty());
+  MergedMesh inner = stack_of({{true, 1, 2}, {true, 2, 3}});
+  CHECK(join_coincident(inner) == Remains{1, 0});
+  CHECK(inner.mesh.walls == Remains{1, 0});
 }
 
 TEST_CASE("where all sources are kept, faces of different operands stay on one triangle", "[join_coincident]") {

@@ -64,6 +64,7 @@ namespace mortise::test {
     if (size != n) return "facet arrays of different sizes";
   }
   if (!merged.mesh.face_labels.empty() && merged.mesh.face_labels.size() != n) return "labels of another size";
+  if (!merged.mesh.walls.empty() && merged.mesh.walls.size() != n) return "walls of another size";
   if (merged.point_of_vertex.size() != vertices || p.vertex_operand.size() != vertices || p.vertex_source.size() != vertices) {
     return "vertex arrays of different sizes";
   }

@@ -111,6 +111,7 @@ void check_sizes(const BooleanResult& result, Faults& faults) {
     faults.add("other sources differ in size", facets);
   }
   if (p.vertex_operand.size() != vertices || p.vertex_source.size() != vertices) faults.add("vertex arrays differ in size", vertices);
+  if (!result.mesh.walls.empty() && result.mesh.walls.size() != facets) faults.add("walls differ in size", facets);
   if (!result.mesh.face_labels.empty() && result.mesh.face_labels.size() != facets) faults.add("face labels differ in size", facets);
 }
 

@@ -59,6 +59,12 @@ std::optional<std::string> data_folder() {
   }
 }
 
+std::string repository_path(const std::string& file) {
+  fs::path folder = fs::current_path();
+  while (!fs::is_regular_file(folder / file) && folder != folder.parent_path()) folder = folder.parent_path();
+  return (folder / file).string();
+}
+
 bool is_data_missing() {
   if (data_folder()) return false;
   std::printf("skipped: the meshes of MORTISE_DATA (default: ../shared/data) are not there\n");

@@ -15,6 +15,9 @@ namespace mortise::test {
 /// it beside it); nothing where there is none.
 [[nodiscard]] std::optional<std::string> data_folder();
 
+/// A file of this repository: in the current folder, or the first folder above it that has it.
+[[nodiscard]] std::string repository_path(const std::string& file);
+
 /// Is there no such folder? Then it says so on a line beginning with `skipped: `, which counts the test as skipped.
 [[nodiscard]] bool is_data_missing();
 

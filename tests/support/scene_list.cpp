@@ -4,7 +4,6 @@
 #include "support/scene_list.h"
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -20,8 +19,6 @@
 
 namespace mortise::test {
 namespace {
-
-namespace fs = std::filesystem;
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t");
@@ -130,11 +127,7 @@ std::vector<ListedScene> read_scene_list(const std::string& path) {
   return scenes;
 }
 
-std::vector<ListedScene> listed_scenes() {
-  fs::path folder = fs::current_path();
-  while (!fs::is_regular_file(folder / "tests" / "scenes.txt") && folder != folder.parent_path()) folder = folder.parent_path();
-  return read_scene_list((folder / "tests" / "scenes.txt").string());
-}
+std::vector<ListedScene> listed_scenes() { return read_scene_list(repository_path("tests/scenes.txt")); }
 
 BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands) {
   if (word == "imprint") return imprint(operands).whole;

@@ -75,14 +75,12 @@ void write_graph(const std::string& prefix, const IntersectionGraph& graph) {
 
 /// Volume (0 when open), area, smallest and largest angle, length and area of contact, 1 when certified, 1 when closed.
 void write_measures(const std::string& prefix, const BooleanResult& result, const ResultRegions& regions) {
-  const MeshReport report = inspect(result.mesh);
+  MeshReport report = inspect(result.mesh);
+  correct_by_regions(result, regions, report);
   const ContactMeasure& contact = result.report.contact;
   const bool is_certified = result.report.certificate.status == CertificateStatus::Certified;
-  const bool is_partition = !result.provenance.covering_front.empty();
-  const double volume = is_partition ? regions.total_volume() : report.volume.value_or(0);
-  const bool is_closed = is_partition ? regions.is_closed : report.closed;
-  write_array(prefix + "measures", std::vector{volume, report.area, report.min_angle_deg, report.max_angle_deg, contact.length,
-                                               contact.area, is_certified ? 1.0 : 0.0, is_closed ? 1.0 : 0.0});
+  write_array(prefix + "measures", std::vector{report.volume.value_or(0), report.area, report.min_angle_deg, report.max_angle_deg,
+                                               contact.length, contact.area, is_certified ? 1.0 : 0.0, report.closed ? 1.0 : 0.0});
 }
 
 /// Region ids begin with 1; 0 is outside.

@@ -43,6 +43,11 @@ SurfaceMesh unchecked_mesh_in(const val& object) {
   copy_in<double>(positions, {reinterpret_cast<double*>(mesh.points.data()), 3 * mesh.points.size()});
   const val triangles = object["triangles"];
   mesh.triangles = triangles.isUndefined() ? triangles_in_order(mesh.points.size()) : triangles_in(triangles);
+  const val walls = object["walls"];
+  if (!walls.isUndefined()) {
+    mesh.walls.resize(length_of(walls));
+    copy_in<std::uint8_t>(walls, mesh.walls);
+  }
   const val labels = object["faceLabels"];
   if (labels.isUndefined()) return mesh;
   mesh.face_labels.resize(length_of(labels));
@@ -81,10 +86,17 @@ val mesh_out(const SurfaceMesh& mesh) {
   val object = val::object();
   object.set("positions", points_out(mesh.points));
   object.set("triangles", copy_out(numbers_of(mesh.triangles)));
+  if (!mesh.walls.empty()) object.set("walls", copy_out(mesh.walls));
   if (mesh.face_labels.empty()) return object;
   object.set("faceLabels", copy_out(mesh.face_labels));
   object.set("labelNames", strings_out(mesh.label_names));
   return object;
+}
+
+Plane plane_in(const val& numbers) {
+  std::array<double, 4> n{};
+  copy_in<double>(numbers, n);
+  return {{n[0], n[1], n[2]}, n[3]};
 }
 
 std::string bytes_in(const val& array) {

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "mortise/geom/plane.h"
 #include "mortise/geom/vec.h"
 #include "mortise/mesh/surface_mesh.h"
 
@@ -43,13 +44,16 @@ void copy_in(const emscripten::val& array, std::span<T> numbers) {
 [[nodiscard]] std::vector<std::string> strings_in(const emscripten::val& array);
 [[nodiscard]] emscripten::val strings_out(const std::vector<std::string>& strings);
 
-/// The valid mesh of {positions, triangles?, faceLabels?, labelNames?}, typed arrays of the right length. Without triangles every three
-/// points are one.
+/// The valid mesh of {positions, triangles?, walls?, faceLabels?, labelNames?}, typed arrays of the right length. Without triangles every
+/// three points are one.
 /// @throws what validate() throws
 [[nodiscard]] SurfaceMesh mesh_in(const emscripten::val& object);
 
-/// {positions, triangles, faceLabels?, labelNames?}.
+/// {positions, triangles, walls?, faceLabels?, labelNames?}.
 [[nodiscard]] emscripten::val mesh_out(const SurfaceMesh& mesh);
+
+/// The plane of [nx, ny, nz, d], a Float64Array.
+[[nodiscard]] Plane plane_in(const emscripten::val& numbers);
 
 /// The bytes of a Uint8Array.
 [[nodiscard]] std::string bytes_in(const emscripten::val& array);

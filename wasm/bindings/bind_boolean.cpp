@@ -17,6 +17,8 @@
 #include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
+#include "mortise/mesh/half_space.h"
+#include "mortise/mesh/measures.h"
 #include "report.h"
 
 namespace mortise::wasm {
@@ -32,9 +34,33 @@ SurfaceMesh operand_in(const val& object, std::size_t index) {
   }
 }
 
-std::vector<SurfaceMesh> operands_in(const val& array) {
-  std::vector<SurfaceMesh> operands(array["length"].as<std::size_t>());
-  for (std::size_t i = 0; i < operands.size(); ++i) operands[i] = operand_in(array[i], i);
+struct Operands {
+  std::vector<SurfaceMesh> meshes;
+  std::vector<std::size_t> half_spaces;
+};
+
+SurfaceMesh half_space_in(const val& plane, const Box3& box, std::size_t index) {
+  try {
+    return make_half_space(plane_in(plane), box);
+  } catch (Error& error) {
+    throw std::move(error).in_operand(index);
+  }
+}
+
+/// Meshes, and half-spaces {plane} as large as the meshes need.
+Operands operands_in(const val& array) {
+  Operands operands;
+  operands.meshes.resize(array["length"].as<std::size_t>());
+  Box3 box;
+  for (std::size_t i = 0; i < operands.meshes.size(); ++i) {
+    if (!array[i]["plane"].isUndefined()) {
+      operands.half_spaces.push_back(i);
+      continue;
+    }
+    operands.meshes[i] = operand_in(array[i], i);
+    box.extend(bounding_box(operands.meshes[i]));
+  }
+  for (const std::size_t i : operands.half_spaces) operands.meshes[i] = half_space_in(array[i]["plane"], box, i);
   return operands;
 }
 
@@ -44,13 +70,17 @@ std::vector<const SurfaceMesh*> pointers_to(const std::vector<SurfaceMesh>& mesh
   return pointers;
 }
 
-/// @param listener  of JavaScript, (stage, fraction) -> go on?; or undefined
-BooleanOptions options_in(const val& listener) {
+/// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids}
+BooleanOptions options_in(const val& settings) {
   BooleanOptions options;
+  options.require_solids = settings["requireSolids"].as<bool>();
+  const val listener = settings["listener"];
   if (listener.isUndefined()) return options;
   options.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
   return options;
 }
+
+Search search_in(const val& settings) { return settings["inspect"].as<bool>() ? Search::SelfIntersections : Search::Nothing; }
 
 val lists_out(const std::vector<std::vector<std::uint32_t>>& lists) {
   val array = val::array();
@@ -106,11 +136,11 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   return object;
 }
 
-val result_out(const std::vector<SurfaceMesh>& operands, const BooleanResult& result, bool search) {
+val result_out(const Operands& operands, const BooleanResult& result, Search search) {
   val object = val::object();
   object.set("mesh", mesh_out(result.mesh));
   const ResultRegions regions = find_result_regions(result);
-  object.set("report", boolean_report_out(operands, result, regions, search ? Search::SelfIntersections : Search::Nothing));
+  object.set("report", boolean_report_out(operands.meshes, operands.half_spaces, result, regions, search));
   object.set("graph", graph_out(result.graph));
   object.set("provenance", provenance_out(result.provenance, regions));
   return object;
@@ -126,52 +156,57 @@ val imprinted_operand_out(const ImprintedOperand& operand) {
   return object;
 }
 
-using Operands = std::vector<const SurfaceMesh*>;
-using Evaluate = std::function<BooleanResult(const Operands&, const BooleanOptions&)>;
+using Pointers = std::vector<const SurfaceMesh*>;
+using Evaluate = std::function<BooleanResult(const Pointers&, const BooleanOptions&)>;
 
-val answer_boolean(const val& meshes, const val& listener, bool search, const Evaluate& evaluate) {
+/// @param settings  {inspect}, and those of options_in
+val answer_boolean(const val& meshes, const val& settings, const Evaluate& evaluate) {
   return answer([&] {
-    const std::vector<SurfaceMesh> operands = operands_in(meshes);
-    return result_out(operands, evaluate(pointers_to(operands), options_in(listener)), search);
+    const Operands operands = operands_in(meshes);
+    BooleanOptions options = options_in(settings);
+    options.half_spaces = operands.half_spaces;
+    return result_out(operands, evaluate(pointers_to(operands.meshes), options), search_in(settings));
   });
 }
 
-val evaluate(const std::string& operation, const val& meshes, const val& listener, bool search) {
-  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+val evaluate(const std::string& operation, const val& meshes, const val& settings) {
+  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
     return evaluate_boolean(operation_from_name(operation), operands, options);
   });
 }
 
-val combine(const std::string& expression, const val& meshes, const val& listener, bool search) {
-  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+val combine(const std::string& expression, const val& meshes, const val& settings) {
+  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
     return evaluate_expression(expression, operands, options);
   });
 }
 
-val keep(const val& tags, const val& meshes, const val& listener, bool search) {
-  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+val keep(const val& tags, const val& meshes, const val& settings) {
+  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
     return keep_faces(keep_mask(strings_in(tags)), operands, options);
   });
 }
 
-val implant_components(const std::string& contact, const val& meshes, const val& listener, bool search) {
-  return answer_boolean(meshes, listener, search, [&](const Operands& operands, const BooleanOptions& options) {
+val implant_components(const std::string& contact, const val& meshes, const val& settings) {
+  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
     return implant(operands, contact == "drop" ? ImplantContact::Drop : ImplantContact::Keep, options);
   });
 }
 
-val resolve_mesh(const val& mesh, const val& listener, bool search) {
+val resolve_mesh(const val& mesh, const val& settings) {
   const val meshes = val::array();
   meshes.call<void>("push", mesh);
-  return answer_boolean(meshes, listener, search,
-                        [&](const Operands& operands, const BooleanOptions& options) { return resolve(*operands.front(), options); });
+  return answer_boolean(meshes, settings,
+                        [&](const Pointers& operands, const BooleanOptions& options) { return resolve(*operands.front(), options); });
 }
 
-val imprint_operands(const val& meshes, const val& listener, bool search) {
+val imprint_operands(const val& meshes, const val& settings) {
   return answer([&] {
-    const std::vector<SurfaceMesh> operands = operands_in(meshes);
-    const ImprintResult result = imprint(pointers_to(operands), options_in(listener));
-    val object = result_out(operands, result.whole, search);
+    const Operands operands = operands_in(meshes);
+    BooleanOptions options = options_in(settings);
+    options.half_spaces = operands.half_spaces;
+    const ImprintResult result = imprint(pointers_to(operands.meshes), options);
+    val object = result_out(operands, result.whole, search_in(settings));
     val array = val::array();
     for (const ImprintedOperand& operand : result.operands) array.call<void>("push", imprinted_operand_out(operand));
     object.set("operands", array);

@@ -99,9 +99,7 @@ val extrude_mesh_to(const val& mesh, double z) {
 /// @param numbers  of the plane: normal and offset
 val slice_mesh(const val& mesh, const val& numbers) {
   return answer([&] {
-    std::vector<double> n(4);
-    copy_in<double>(numbers, n);
-    const Section section = slice(mesh_in(mesh), {{n[0], n[1], n[2]}, n[3]});
+    const Section section = slice(mesh_in(mesh), plane_in(numbers));
     val polygons = val::array();
     for (const std::vector<Vec3d>& polygon : section.polygons) polygons.call<void>("push", points_out(polygon));
     val object = val::object();

@@ -89,13 +89,18 @@ val contact_out(const ContactMeasure& contact) {
   return object;
 }
 
-val operands_out(std::span<const SurfaceMesh> operands, const std::vector<std::uint32_t>& self_contacts) {
+val operands_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces, const BooleanReport& report) {
   val array = val::array();
+  auto sheet = report.sheets.begin();
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
     val object = val::object();
     object.set("vertices", count_out(operands[k].points.size()));
     object.set("triangles", count_out(operands[k].triangles.size()));
-    object.set("selfContacts", std::binary_search(self_contacts.begin(), self_contacts.end(), k));
+    object.set("selfContacts", std::binary_search(report.self_contacts.begin(), report.self_contacts.end(), k));
+    const bool is_sheet = sheet != report.sheets.end() && sheet->operand == k;
+    const bool is_half_space = std::find(half_spaces.begin(), half_spaces.end(), k) != half_spaces.end();
+    object.set("kind", is_sheet ? "sheet" : is_half_space ? "halfSpace" : "solid");
+    if (is_sheet) object.set("openEdges", copy_out((sheet++)->open_edges));
     array.call<void>("push", object);
   }
   return array;
@@ -185,22 +190,24 @@ val inspection_out(const SurfaceMesh& mesh) {
   return report_out(report, Search::SelfIntersections, account);
 }
 
-val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result, const ResultRegions& regions, Search search) {
+val boolean_report_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces, const BooleanResult& result,
+                       const ResultRegions& regions, Search search) {
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;
-  account.operands = operands_out(operands, result.report.self_contacts);
+  account.operands = operands_out(operands, half_spaces, result.report);
   account.times = result.report.stages;
   account.graph = result.graph;
   account.contact = result.report.contact;
   account.notes = result.report.notes;
+  for (const SheetOperand& sheet : result.report.sheets) {
+    account.notes.push_back("operand " + std::to_string(sheet.operand) + " is a sheet: it has " +
+                            std::to_string(sheet.open_edges.size() / 2) + " open edges");
+  }
   account.notes.push_back(certificate_note(result.report.certificate));
   note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
   account.regions = regions.regions;
   MeshReport report = inspect_into(result.mesh, search, account);
-  if (!result.provenance.covering_front.empty()) {  // of a partition: region by region
-    report.closed = regions.is_closed;
-    report.volume = regions.total_volume();
-  }
+  correct_by_regions(result, regions, report);
   return report_out(report, search, account);
 }
 

@@ -20,7 +20,8 @@ namespace mortise::wasm {
 enum class Search { SelfIntersections, Nothing };
 
 /// The report on a boolean. `milliseconds` is left to the caller.
-[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, const BooleanResult& result,
-                                                 const ResultRegions& regions, Search search);
+/// @param half_spaces  positions of operands
+[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces,
+                                                 const BooleanResult& result, const ResultRegions& regions, Search search);
 
 }  // namespace mortise::wasm

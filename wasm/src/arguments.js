@@ -96,6 +96,18 @@ function checkLabels(mesh, faceCount, name) {
 }
 
 /**
+ * @param {any} mesh
+ * @param {number} faceCount
+ * @param {string} name
+ */
+function checkWalls({ walls }, faceCount, name) {
+  if (walls === undefined) return {};
+  if (!(walls instanceof Uint8Array)) throw invalidArgument(`${name}.walls must be a Uint8Array, not ${describe(walls)}`);
+  if (walls.length !== faceCount) throw invalidArgument(`${name}.walls has ${walls.length} entries for ${faceCount} triangles`);
+  return { walls };
+}
+
+/**
  * @param {number} most
  * @param {string} name
  */
@@ -117,6 +129,16 @@ function checkNames(names, name) {
 }
 
 /**
+ * What a mesh knows of each face beside its corners.
+ * @param {any} mesh
+ * @param {number} faceCount
+ * @param {string} name
+ */
+function checkMarks(mesh, faceCount, name) {
+  return { ...checkLabels(mesh, faceCount, name), ...checkWalls(mesh, faceCount, name) };
+}
+
+/**
  * A mesh ready to cross into the core. Nothing of the caller is changed.
  * @param {any} mesh
  * @param {string} name how the caller knows it: "operand 0", "mesh"
@@ -133,11 +155,38 @@ export function checkMesh(mesh, name) {
   const positions = checkPositions(mesh.positions, name);
   if (mesh.triangles === undefined || mesh.triangles === null) {
     checkTriples(positions.length / 3, `${name} has no triangles, so its vertices count in threes; it`);
-    return { positions, ...checkLabels(mesh, positions.length / 9, name) };
+    return { positions, ...checkMarks(mesh, positions.length / 9, name) };
   }
   const triangles = checkIndices(mesh.triangles, `${name}.triangles`, 3);
   checkTriples(triangles.length, `${name}.triangles`);
-  return { positions, triangles, ...checkLabels(mesh, triangles.length / 3, name) };
+  return { positions, triangles, ...checkMarks(mesh, triangles.length / 3, name) };
+}
+
+/** @param {unknown} value @param {string} name */
+export function checkNumber(value, name) {
+  if (typeof value !== 'number' || !Number.isFinite(value)) throw invalidArgument(`${name} must be a finite number, not ${describe(value)}`);
+  return value;
+}
+
+/**
+ * Normal and offset of a plane.
+ * @param {any} plane
+ */
+export function checkPlane(plane) {
+  if (plane === null || typeof plane !== 'object' || plane.length !== 4) {
+    throw invalidArgument(`plane must be four numbers [nx, ny, nz, d], the points with n . p = d, not ${describe(plane)}`);
+  }
+  return Float64Array.from(plane, (x, i) => checkNumber(x, `plane[${i}]`));
+}
+
+/**
+ * An operand: a mesh, or {plane} for all that lies behind a plane.
+ * @param {any} operand
+ * @param {string} name
+ * @returns {import('./glue_types.js').CheckedOperand}
+ */
+export function checkOperand(operand, name) {
+  return operand?.plane === undefined ? checkMesh(operand, name) : { plane: checkPlane(operand.plane) };
 }
 
 /**
@@ -191,6 +240,15 @@ export function checkContact(contact = 'keep') {
 }
 
 /**
+ * Must every operand be a solid?
+ * @param {{ kind?: unknown }} options
+ */
+export function checkKind({ kind }) {
+  if (kind !== undefined && kind !== 'solid') throw invalidArgument(`kind must be 'solid' or left out, not ${describe(kind)}`);
+  return kind === 'solid';
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation
@@ -220,5 +278,5 @@ export function checkOperands(operands, name) {
 /** @param {any} value */
 function isOptions(value) {
   if (value === undefined) return true;
-  return typeof value === 'object' && value !== null && ['positions', 'mesh', 'triangles', 'then', 'isBufferGeometry'].every((name) => !(name in value));
+  return typeof value === 'object' && value !== null && ['positions', 'mesh', 'triangles', 'then', 'isBufferGeometry', 'plane'].every((name) => !(name in value));
 }

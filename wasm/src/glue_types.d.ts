@@ -15,39 +15,26 @@ export interface CheckedMesh {
   triangles?: Uint32Array;
   faceLabels?: Uint32Array;
   labelNames?: string[];
+  walls?: Uint8Array;
+}
+
+/** A mesh, or all behind a plane. */
+export type CheckedOperand = CheckedMesh | { plane: Float64Array; positions?: undefined };
+
+/** What every call that arranges operands is told. */
+export interface BooleanSettings {
+  listener: ((stage: string, fraction: number) => boolean) | undefined;
+  inspect: boolean;
+  requireSolids: boolean;
 }
 
 export interface Core {
-  evaluateBoolean(
-    operation: string,
-    operands: CheckedMesh[],
-    listener: ((stage: string, fraction: number) => boolean) | undefined,
-    inspect: boolean,
-  ): Answer<BooleanResult>;
-  evaluateExpression(
-    expression: string,
-    operands: CheckedMesh[],
-    listener: ((stage: string, fraction: number) => boolean) | undefined,
-    inspect: boolean,
-  ): Answer<BooleanResult>;
-  keepFaces(
-    tags: string[],
-    operands: CheckedMesh[],
-    listener: ((stage: string, fraction: number) => boolean) | undefined,
-    inspect: boolean,
-  ): Answer<BooleanResult>;
-  implant(
-    contact: string,
-    operands: CheckedMesh[],
-    listener: ((stage: string, fraction: number) => boolean) | undefined,
-    inspect: boolean,
-  ): Answer<BooleanResult>;
-  imprint(
-    operands: CheckedMesh[],
-    listener: ((stage: string, fraction: number) => boolean) | undefined,
-    inspect: boolean,
-  ): Answer<ImprintResult>;
-  resolve(mesh: CheckedMesh, listener: ((stage: string, fraction: number) => boolean) | undefined, inspect: boolean): Answer<BooleanResult>;
+  evaluateBoolean(operation: string, operands: CheckedOperand[], settings: BooleanSettings): Answer<BooleanResult>;
+  evaluateExpression(expression: string, operands: CheckedOperand[], settings: BooleanSettings): Answer<BooleanResult>;
+  keepFaces(tags: string[], operands: CheckedOperand[], settings: BooleanSettings): Answer<BooleanResult>;
+  implant(contact: string, operands: CheckedOperand[], settings: BooleanSettings): Answer<BooleanResult>;
+  imprint(operands: CheckedOperand[], settings: BooleanSettings): Answer<ImprintResult>;
+  resolve(mesh: CheckedOperand, settings: BooleanSettings): Answer<BooleanResult>;
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
   transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;

@@ -10,6 +10,11 @@ export interface Mesh {
   faceLabels?: Uint32Array;
   /** Names of groups, solids or materials. */
   labelNames?: string[];
+  /**
+   * One per triangle: 1 for a wall, which has the solid on both sides or on neither: faces between regions, sheets. Results have them
+   * where they need them, so that these can be operands again; files do not keep them.
+   */
+  walls?: Uint8Array;
 }
 
 /** What every function takes for a mesh. Without `triangles`, every three vertices are a triangle. Never changed. */
@@ -18,7 +23,19 @@ export interface MeshInput {
   triangles?: Uint32Array | ArrayLike<number> | null;
   faceLabels?: Uint32Array | ArrayLike<number>;
   labelNames?: readonly string[];
+  walls?: Uint8Array;
 }
+
+/**
+ * All points p with n . p <= d: what lies behind the plane [nx, ny, nz, d]. Exact for planes at right angles to an axis or of numbers a few
+ * bits long, else through three doubles next to the plane. A result that would reach to infinity is refused; a partition is divided by it.
+ */
+export interface HalfSpace {
+  plane: readonly [number, number, number, number];
+}
+
+/** What the operations on several meshes take. */
+export type Operand = MeshInput | HalfSpace;
 
 export interface Box {
   min: [number, number, number];
@@ -33,6 +50,10 @@ export interface OperandReport {
   triangles: number;
   /** True when it crosses itself where that mattered, and the crossings were resolved. */
   selfContacts: boolean;
+  /** A sheet bounds no volume: an odd number of its triangles meets at its open edges, or all its triangles are walls. */
+  kind: 'solid' | 'sheet' | 'halfSpace';
+  /** Of a sheet: its open edges, two vertices of the operand each. */
+  openEdges?: Uint32Array;
 }
 
 export interface StageReport {
@@ -160,6 +181,8 @@ export interface BooleanOptions {
    * With false `report.selfIntersections` is null and `report.notes` do not speak of them; all else is the same, `certified` too.
    */
   inspect?: boolean;
+  /** 'solid': an operand with a border is an error that names its open edges (`NOT_CLOSED`), not a sheet. */
+  kind?: 'solid';
 }
 
 /** An operand after an imprint; pass it on as a mesh. Equal ids are one vertex, or coinciding triangles, of several operands. */
@@ -356,23 +379,23 @@ export interface LoadOptions {
 
 /** The functions without promises, once the core is loaded. */
 export interface Mortise {
-  union(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  union(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  union(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
-  intersect(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  intersect(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  intersect(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
-  subtract(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  subtract(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
-  symmetricDifference(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  symmetricDifference(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  symmetricDifference(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
-  partition(operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  partition(first: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  partition(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): BooleanResult;
-  combine(expression: string, operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
-  keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): BooleanResult;
+  union(operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  union(first: Operand, ...rest: Operand[]): BooleanResult;
+  union(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
+  intersect(operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  intersect(first: Operand, ...rest: Operand[]): BooleanResult;
+  intersect(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
+  subtract(operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  subtract(first: Operand, ...rest: Operand[]): BooleanResult;
+  subtract(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
+  symmetricDifference(operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  symmetricDifference(first: Operand, ...rest: Operand[]): BooleanResult;
+  symmetricDifference(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
+  partition(operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  partition(first: Operand, ...rest: Operand[]): BooleanResult;
+  partition(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
+  combine(expression: string, operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
+  keep(tags: readonly FaceTag[], operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
   imprint(operands: readonly MeshInput[], options?: BooleanOptions): ImprintResult;
   imprint(first: MeshInput, ...rest: MeshInput[]): ImprintResult;
   imprint(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): ImprintResult;
@@ -394,42 +417,50 @@ export interface Mortise {
   writeMesh(mesh: MeshInput, options: { format: Format }): Uint8Array;
 }
 
-/** All that is inside any operand. Closed operands, any number, one resolves itself. */
-export function union(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
-export function union(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function union(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+/**
+ * All that is inside any operand; any number of them, one resolves itself.
+ *
+ * Operands that are not closed are sheets, in every operation: sets of points without volume. A result has volume where the
+ * operation says so of the solids, and there are triangles of sheets in it where the operation says so of the operands that
+ * contain them, a solid with its boundary: `intersect(sheet, solid)` is the part of the sheet inside, `subtract(sheet, solid)`
+ * the part outside, `union` has both the solid and the part outside.
+ */
+export function union(operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
+export function union(first: Operand, ...rest: Operand[]): Promise<BooleanResult>;
+export function union(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): Promise<BooleanResult>;
 
 /** All that is inside every operand. */
-export function intersect(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
-export function intersect(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function intersect(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+export function intersect(operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
+export function intersect(first: Operand, ...rest: Operand[]): Promise<BooleanResult>;
+export function intersect(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): Promise<BooleanResult>;
 
 /** The first operand without all others. */
-export function subtract(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
-export function subtract(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function subtract(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+export function subtract(operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
+export function subtract(first: Operand, ...rest: Operand[]): Promise<BooleanResult>;
+export function subtract(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): Promise<BooleanResult>;
 
 /** What is inside an odd number of operands. */
-export function symmetricDifference(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
-export function symmetricDifference(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function symmetricDifference(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+export function symmetricDifference(operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
+export function symmetricDifference(first: Operand, ...rest: Operand[]): Promise<BooleanResult>;
+export function symmetricDifference(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): Promise<BooleanResult>;
 
 /**
- * The union with the faces inside it that separate regions of different operands, each once: the non-regularized union.
+ * The union with the faces inside it that separate regions of different operands, each once, and all sheets, inside and
+ * outside: the non-regularized union. A sheet that separates a solid makes two regions of it.
  * `provenance.regionLeft` and `regionRight` name the regions on both sides, `report.regions` who contains them.
  */
-export function partition(operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
-export function partition(first: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function partition(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<BooleanResult>;
+export function partition(operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
+export function partition(first: Operand, ...rest: Operand[]): Promise<BooleanResult>;
+export function partition(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): Promise<BooleanResult>;
 
 /**
  * What an expression says, '(a | b) & !c'. Operands are a, b, c ... in their order, or #0, #1, #2 ... From tight to loose: ! outside,
  * - without, & and, ^ an odd number, | or. What is true outside all operands is refused.
  */
-export function combine(expression: string, operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function combine(expression: string, operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
 
 /** The faces with the given tags after cutting all operands along their contacts; the result may be open. */
-export function keep(tags: readonly FaceTag[], operands: readonly MeshInput[], options?: BooleanOptions): Promise<BooleanResult>;
+export function keep(tags: readonly FaceTag[], operands: readonly Operand[], options?: BooleanOptions): Promise<BooleanResult>;
 
 /**
  * Every operand as it is, split along its contacts with the others; nothing is removed. Vertices, edges (by their vertices) and

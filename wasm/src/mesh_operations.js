@@ -3,7 +3,7 @@
 // Operations on one mesh: parts, repair, solids of sheets, sections.
 // @ts-check
 
-import { checkMesh, checkOptions, describe } from './arguments.js';
+import { checkMesh, checkNumber, checkOptions, checkPlane, describe } from './arguments.js';
 import { invalidArgument } from './errors.js';
 
 /** @typedef {import('./glue_types.js').Core} Core */
@@ -17,20 +17,6 @@ const waysToSplit = ['components', 'regions'];
 
 /** The steps of a repair in their order. */
 export const repairSteps = /** @type {const} */ (['dropDegenerate', 'dropDuplicates', 'cancelOpposites', 'orient', 'flipInsideOut', 'fillPlanarHoles']);
-
-/** @param {unknown} value @param {string} name */
-function checkNumber(value, name) {
-  if (typeof value !== 'number' || !Number.isFinite(value)) throw invalidArgument(`${name} must be a finite number, not ${describe(value)}`);
-  return value;
-}
-
-/** @param {any} plane */
-function checkPlane(plane) {
-  if (plane === null || typeof plane !== 'object' || plane.length !== 4) {
-    throw invalidArgument(`plane must be four numbers [nx, ny, nz, d], the points with n . p = d, not ${describe(plane)}`);
-  }
-  return Float64Array.from(plane, (x, i) => checkNumber(x, `plane[${i}]`));
-}
 
 /** @param {any} options */
 function checkSteps(options) {

@@ -34,7 +34,7 @@ function middle(mesh, vertices) {
  * @returns {[number, number, number][] | undefined}
  */
 export function placesOf(mesh, details) {
-  if (mesh === undefined) return undefined;
+  if (mesh?.positions === undefined) return undefined;
   const groups = verticesOf(mesh, details);
   const exist = groups.length > 0 && groups.flat().every((vertex) => 3 * vertex < mesh.positions.length);
   return exist ? groups.map((vertices) => middle(mesh, vertices)) : undefined;

@@ -3,7 +3,7 @@
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
 // @ts-check
 
-import { checkContact, checkInspect, checkMesh, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import { checkContact, checkInspect, checkKind, checkMesh, checkOperand, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
@@ -13,6 +13,7 @@ import { checkSteps } from './steps.js';
 
 /** @typedef {import('./glue_types.js').Core} Core */
 /** @typedef {import('./glue_types.js').CheckedMesh} CheckedMesh */
+/** @typedef {import('./glue_types.js').CheckedOperand} CheckedOperand */
 
 /**
  * @template Value
@@ -30,7 +31,7 @@ import { checkSteps } from './steps.js';
  * The value of a core's answer, or its error with the places it names.
  * @template Value
  * @param {Answer<Value>} answer
- * @param {CheckedMesh[]} meshes the operands its ids are about
+ * @param {CheckedOperand[]} meshes the operands its ids are about
  * @returns {Value}
  */
 function valueOf({ value, error }, meshes) {
@@ -54,7 +55,7 @@ function valueOf({ value, error }, meshes) {
  * @template Value
  * @param {Session} session
  * @param {(core: Core) => Answer<Value>} call
- * @param {CheckedMesh[]} [meshes]
+ * @param {CheckedOperand[]} [meshes]
  * @returns {Value}
  */
 function ask(session, call, meshes = []) {
@@ -122,7 +123,7 @@ function guardProgress(progress) {
 
 /**
  * @template {import('./index.js').BooleanResult} Result
- * @typedef {(core: Core, meshes: CheckedMesh[], report: ReturnType<typeof guardProgress>['report'], inspect: boolean) => Answer<Result>} BooleanCall
+ * @typedef {(core: Core, operands: CheckedOperand[], settings: import('./glue_types.js').BooleanSettings) => Answer<Result>} BooleanCall
  */
 
 /**
@@ -133,13 +134,13 @@ function guardProgress(progress) {
  * @returns {Result}
  */
 function evaluateWith(session, call, { operands, options }) {
-  const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkMesh(mesh, `operand ${i}`));
-  const checked = checkOptions(options, ['onProgress', 'signal', 'inspect']);
+  const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkOperand(mesh, `operand ${i}`));
+  const checked = checkOptions(options, ['onProgress', 'signal', 'inspect', 'kind']);
   const { report, state } = guardProgress(checkProgress(checked));
-  const inspect = checkInspect(checked);
+  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked) };
   const begin = performance.now();
   try {
-    const result = ask(session, (core) => call(core, meshes, report, inspect), meshes);
+    const result = ask(session, (core) => call(core, meshes, settings), meshes);
     result.report.milliseconds = performance.now() - begin;
     return result;
   } catch (error) {
@@ -185,7 +186,7 @@ function keep(session, [tags, operands, options]) {
  */
 function implant(session, args) {
   const { operands, options } = splitOperands(args, 'implant');
-  const { contact, ...others } = checkOptions(options, ['contact', 'onProgress', 'signal', 'inspect']);
+  const { contact, ...others } = checkOptions(options, ['contact', 'onProgress', 'signal', 'inspect', 'kind']);
   const checked = checkContact(contact);
   return evaluateWith(session, (core, ...rest) => core.implant(checked, ...rest), { operands, options: others });
 }

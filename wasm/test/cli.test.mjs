@@ -267,7 +267,7 @@ test('exit code 3: input no operation can work on, with file and place', (t) => 
     assert.equal(code, 3, err);
     return err;
   };
-  assert.match(said('union', 'a.ply', 'open.obj', '-o', 'out.ply'), /^mortise: open\.obj: .*open edges.*\[NOT_CLOSED\]\n {2}vertexPairs: .* at \(.*\)/);
+  assert.match(said('union', 'a.ply', 'open.obj', '-o', 'out.ply', '--kind', 'solid'), /^mortise: open\.obj: .*open edges.*\[NOT_CLOSED\]\n {2}vertexPairs: .* at \(.*\)/);
   assert.match(said('inspect', 'bad.obj'), /^mortise: bad\.obj: .*\[PARSE_FAILED\]\n {2}line: 2\n/);
   assert.match(said('inspect', 'missing.stl'), /cannot read missing\.stl: ENOENT.*\[FILE_FAILED\]/);
   assert.match(said('inspect', 'bad.xyz'), /\[UNKNOWN_FORMAT\]/);

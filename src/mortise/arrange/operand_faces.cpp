@@ -36,6 +36,7 @@ struct EdgeSum {
 bool is_closed(const OperandFaces& faces, OperandId k) {
   EdgeSum sum;
   for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
+    if (faces.is_wall[SourceId(f)] != 0) continue;
     const PlanePoints& c = faces.corners[SourceId(f)];
     for (std::size_t i = 0; i < 3; ++i) {
       sum.add(c[i], c[(i + 1) % 3]);
@@ -133,6 +134,13 @@ SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, bool has_c
   return SelfContacts::None;
 }
 
+void append_walls(const SurfaceMesh& mesh, OperandFaces& faces) {
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) faces.is_wall.push_back(mesh.walls.empty() ? 0 : mesh.walls[t]);
+  const bool has_walls = std::find(mesh.walls.begin(), mesh.walls.end(), 1) != mesh.walls.end();
+  const bool has_others = mesh.walls.empty() || std::find(mesh.walls.begin(), mesh.walls.end(), 0) != mesh.walls.end();
+  faces.kind.push_back(!has_walls ? OperandKind::Solid : has_others ? OperandKind::SolidWithWalls : OperandKind::Sheet);
+}
+
 void append_operand(const SurfaceMesh& mesh, Welder& welder, OperandFaces& faces) {
   const OperandId k(faces.operand_count());
   std::vector<PointId>& point_of = faces.point_of_vertex[faces.point_of_vertex.push_back({})];
@@ -144,6 +152,7 @@ void append_operand(const SurfaceMesh& mesh, Welder& welder, OperandFaces& faces
     faces.operand.push_back(k);
     faces.shape.push_back(shape_of(faces.points, c));
   }
+  append_walls(mesh, faces);
   faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
   const std::vector<WeldedCorners> corners = welder.weld(mesh, point_of, faces.points.size());
   number_parts(corners, mesh.points.size(), faces);
@@ -158,6 +167,11 @@ Box3 OperandFaces::box(SourceId f) const {
   Box3 result;
   for (std::size_t i = 0; i < 3; ++i) result.extend(corner_position(f, i));
   return result;
+}
+
+void make_sheet(OperandId k, OperandFaces& faces) {
+  faces.kind[k] = OperandKind::Sheet;
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) faces.is_wall[SourceId(f)] = 1;
 }
 
 OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
@@ -177,6 +191,7 @@ OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
   faces.corners.reserve(face_count);
   faces.shape.reserve(face_count);
   faces.operand.reserve(face_count);
+  faces.is_wall.reserve(face_count);
   faces.first.push_back(0);
   Welder welder;
   for (const SurfaceMesh* mesh : operands) append_operand(*mesh, welder, faces);

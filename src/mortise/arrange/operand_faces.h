@@ -31,13 +31,25 @@ enum class SelfContacts : std::uint8_t {
   All,        ///< open edges, coincident faces, crossings that a former pass came upon, or the only operand of a call
 };
 
+/// What bounds space, and what only divides it (exact-core 4).
+enum class OperandKind : std::uint8_t {
+  Solid,           ///< every face separates inside from outside
+  SolidWithWalls,  ///< some faces lie inside or outside: between regions of one operand, or sheets attached to it
+  Sheet,           ///< no face bounds anything
+  HalfSpace,       ///< a solid that stands for all behind a plane: its vertices are not part of it
+};
+
+[[nodiscard]] inline bool has_walls(OperandKind kind) { return kind == OperandKind::SolidWithWalls || kind == OperandKind::Sheet; }
+
 struct OperandFaces {
   PointSet points;
   IdVector<SourceId, PlanePoints> corners;
   IdVector<SourceId, FaceShape> shape;
   IdVector<SourceId, OperandId> operand;
+  IdVector<SourceId, std::uint8_t> is_wall;  ///< 1: crossing the face changes no winding
   IdVector<OperandId, std::uint32_t> first;  ///< operand count + 1 entries: its faces are first[k] .. first[k + 1] - 1
   IdVector<OperandId, SelfContacts> self_contacts;
+  IdVector<OperandId, OperandKind> kind;
   IdVector<OperandId, Box3> bounds;
   IdVector<SourceId, std::uint32_t> part;  ///< faces of one operand with the same number are connected through vertices
   IdVector<OperandId, std::vector<PointId>> point_of_vertex;
@@ -54,5 +66,8 @@ struct OperandFaces {
 /// @throws Error{NotFinite, BadIndex}
 /// O(n) in the faces.
 [[nodiscard]] OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands);
+
+/// From now on all faces of the operand are walls.
+void make_sheet(OperandId k, OperandFaces& faces);
 
 }  // namespace mortise

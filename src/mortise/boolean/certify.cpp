@@ -200,16 +200,16 @@ class Certifier {
                       [](const FacetAtEdge& a, const FacetAtEdge& b) { return a.facet == b.facet; });
   }
 
-  // Going round, one comes out of a triangle into the space before the next. Where inner faces are kept, the operands of
-  // this space agree; else one enters and leaves the result in turn.
+  // Going round, one comes out of a triangle into the space before the next. Where there may be walls, this space is the same
+  // seen from both; else one enters and leaves the result in turn.
   [[nodiscard]] bool spaces_follow(std::span<const TriangleAtEdge> around) const {
     const Provenance& p = merged_.provenance;
-    const bool has_inner_faces = !p.covering_front.empty();
+    const bool has_walls = !p.covering_front.empty();
     const auto agree = [&](const TriangleAtEdge& one, const TriangleAtEdge& next) {
-      if (!has_inner_faces) return one.is_forward != next.is_forward;
+      if (!has_walls) return one.is_forward != next.is_forward;
       const auto& after = one.is_forward ? p.covering_front : p.covering;
       const auto& before = next.is_forward ? p.covering : p.covering_front;
-      return after[one.triangle.index()] == before[next.triangle.index()];
+      return p.space_of(after[one.triangle.index()]) == p.space_of(before[next.triangle.index()]);
     };
     for (std::size_t i = 0; i < around.size(); ++i) {
       if (!agree(around[i], around[(i + 1) % around.size()])) return false;

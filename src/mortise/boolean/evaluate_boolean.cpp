@@ -11,6 +11,7 @@
 #include "mortise/base/stopwatch.h"
 #include "mortise/boolean/categorize.h"
 #include "mortise/boolean/certify_or_repair.h"
+#include "mortise/boolean/cut_by_sheets.h"
 #include "mortise/boolean/evaluate_selection.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
@@ -75,6 +76,46 @@ Arrangement arrange_until_simple(OperandFaces& faces, const BooleanOptions& opti
   return result;
 }
 
+// Operands with a border become sheets; what they cut is cut already, only windings change.
+Arrangement arrange_sheets_and_solids(OperandFaces& faces, const BooleanOptions& options, std::vector<StageTime>& times) {
+  Arrangement result = arrange_until_simple(faces, options, times);
+  const std::vector<OperandId> sheets = options.require_solids ? std::vector<OperandId>() : find_sheets(result.categories);
+  if (sheets.empty()) return result;
+  for (const OperandId k : sheets) make_sheet(k, faces);
+  result.categories = timed(times, "categorize", [&] { return categorize(faces, result.map, result.facets); });
+  return result.categories.doubtful.empty() ? std::move(result) : arrange_until_simple(faces, options, times);
+}
+
+void mark_half_spaces(std::span<const std::size_t> half_spaces, OperandFaces& faces) {
+  for (const std::size_t k : half_spaces) faces.kind[OperandId(k)] = OperandKind::HalfSpace;
+}
+
+// No vertex of a half-space may be one of the result.
+void refuse_unbounded(std::string_view name, const OperandFaces& faces, const Facets& facets, const Selection& selection) {
+  std::vector<PointId> far;
+  for (std::size_t k = 0; k < faces.operand_count(); ++k) {
+    if (faces.kind[OperandId(k)] != OperandKind::HalfSpace) continue;
+    const std::vector<PointId>& points = faces.point_of_vertex[OperandId(k)];
+    far.insert(far.end(), points.begin(), points.end());
+  }
+  if (far.empty()) return;
+  std::sort(far.begin(), far.end());
+  for (const KeptFacet& k : selection.kept) {
+    for (const PointId p : facets.corners[k.facet]) {
+      if (std::binary_search(far.begin(), far.end(), p))
+        throw Error(ErrorCode::InvalidArgument, name, "the result would reach to infinity");
+    }
+  }
+}
+
+std::vector<SheetOperand> sheets_of(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces) {
+  std::vector<SheetOperand> sheets;
+  for (std::uint32_t k = 0; k < operands.size(); ++k) {
+    if (faces.kind[OperandId(k)] == OperandKind::Sheet) sheets.push_back({k, open_edges(*operands[k], faces, OperandId(k))});
+  }
+  return sheets;
+}
+
 }  // namespace
 
 BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
@@ -85,10 +126,12 @@ BooleanResult evaluate_selection(std::string_view name, const Selector& select, 
   if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
   report_progress(options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
-  const Arrangement arrangement = arrange_until_simple(faces, options, times);
+  mark_half_spaces(options.half_spaces, faces);
+  const Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
   refuse_operands(operands, faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
   const Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
+  refuse_unbounded(name, faces, arrangement.facets, selection);
   MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
@@ -96,8 +139,10 @@ BooleanResult evaluate_selection(std::string_view name, const Selector& select, 
   RoundedResult rounded =
       timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
   report.certificate = std::move(rounded.certified.certificate);
+  if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
   report.self_contacts = arrangement.self_contacts;
+  report.sheets = sheets_of(operands, faces);
   result.mesh = std::move(rounded.merged.mesh);
   result.provenance = std::move(rounded.merged.provenance);
   report_progress(options.progress, "certify", 1);

@@ -20,7 +20,8 @@ enum class ImplantContact : std::uint8_t {
 /// Host faces inside a component go; where faces coincide there is one. A component stays entire, also where it lies inside the
 /// host: there the space is the component's (where components overlap, the last one's). The result is a partition into the
 /// components and what is left of the host: `covering` and `covering_front` name the one owner of a space, faces between two
-/// owners run outwards of the later one. With ImplantContact::Drop it is the union (docs/decisions/005).
+/// owners run outwards of the later one. Sheets stay where no later component has the space. With ImplantContact::Drop it is the union
+/// (docs/decisions/005).
 /// @throws Error{InvalidArgument} for less than two operands, and what evaluate_boolean throws
 [[nodiscard]] BooleanResult implant(std::span<const SurfaceMesh* const> operands, ImplantContact contact = ImplantContact::Keep,
                                     const BooleanOptions& options = {});

@@ -8,6 +8,7 @@
 
 #include "mortise/boolean/evaluate_selection.h"
 #include "mortise/boolean/facet_sources.h"
+#include "mortise/mesh/face_marks.h"
 
 namespace mortise {
 namespace {
@@ -47,10 +48,8 @@ class OperandReader {
     number_vertices(triangles);
     for (const OperandTriangle& t : triangles) add(t, given);
     for (const std::uint32_t id : result_.vertex_ids) number_[id] = VertexId();
-    if (!given.face_labels.empty()) {
-      result_.mesh.label_names = given.label_names;
-      for (const OperandTriangle& t : triangles) result_.mesh.face_labels.push_back(given.face_labels[t.face]);
-    }
+    result_.mesh.label_names = given.label_names;
+    for (const OperandTriangle& t : triangles) append_face_marks(given, FaceId(t.face), result_.mesh);
     return std::move(result_);
   }
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Spaces on both sides of stacked triangles cancel in pairs; what is left are the two outermost. Or faces of one operand cancel.
+// Spaces on both sides of stacked triangles cancel in pairs; what is left are the two outermost, or a sheet. Or faces of one operand
+// cancel.
 #include "mortise/boolean/join_coincident.h"
 
 #include <algorithm>
@@ -20,14 +21,16 @@ struct StackedSource {
   StackedTriangle triangle;
 };
 
-// Removes pairs of faces of one operand that run against each other; the rest ascending.
-void cancel_opposites(std::vector<StackedSource>& sources) {
+// Removes pairs of faces of one operand that run against each other, but for those of sheets; the rest ascending.
+void cancel_opposites(const Provenance& p, std::vector<StackedSource>& sources) {
+  const auto is_of_sheet = [&](const StackedSource& s) { return p.covering[s.triangle.triangle] == p.covering_front[s.triangle.triangle]; };
   std::sort(sources.begin(), sources.end(), [](const StackedSource& a, const StackedSource& b) {
     return a.face != b.face ? a.face < b.face : a.triangle.triangle < b.triangle.triangle;
   });
   for (std::size_t i = 0; i < sources.size();) {
     const auto opposite = std::find_if(sources.begin() + static_cast<std::ptrdiff_t>(i) + 1, sources.end(), [&](const StackedSource& s) {
-      return s.face.operand == sources[i].face.operand && s.face.is_flipped != sources[i].face.is_flipped;
+      const bool is_opposite = s.face.operand == sources[i].face.operand && s.face.is_flipped != sources[i].face.is_flipped;
+      return is_opposite && !is_of_sheet(s) && !is_of_sheet(sources[i]);
     });
     if (opposite == sources.end()) {
       ++i;
@@ -60,7 +63,7 @@ class Joiner {
   void join(std::span<const StackedTriangle> stack) {
     const std::optional<OuterSpaces> spaces = outer_spaces(stack, merged_.provenance);
     std::vector<StackedSource> sources = sources_of(stack);
-    if (merged_.keeps_all_sources) cancel_opposites(sources);
+    if (merged_.keeps_all_sources) cancel_opposites(merged_.provenance, sources);
     if (sources.empty() || (!spaces && !merged_.keeps_all_sources)) return;
     const StackedTriangle& kept = sources.front().triangle;
     remains_[kept.triangle] = 1;
@@ -74,6 +77,15 @@ class Joiner {
       p.covering_front[kept.triangle] = kept.is_even ? spaces->in_front : spaces->behind;
       p.covering[kept.triangle] = kept.is_even ? spaces->behind : spaces->in_front;
     }
+    mark_wall(kept.triangle);
+  }
+
+  void mark_wall(std::uint32_t t) {
+    const Provenance& p = merged_.provenance;
+    const bool is_wall = p.covering_sets[p.covering[t]].empty() == p.covering_sets[p.covering_front[t]].empty();
+    std::vector<std::uint8_t>& walls = merged_.mesh.walls;
+    if (is_wall) walls.resize(remains_.size(), 0);
+    if (!walls.empty()) walls[t] = is_wall ? 1 : 0;
   }
 
   // Operands that have a face here which parts their inside from their outside; ascending.

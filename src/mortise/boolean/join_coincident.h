@@ -11,7 +11,7 @@
 namespace mortise {
 
 /// Which triangles remain: not those with a corner twice; of those on the same corners the lowest, with the spaces on the far
-/// sides of them all and the sources of them all, unless these spaces are in the same operands.
+/// sides of them all and the sources of them all, unless these spaces are in the same operands and no sheet was among them.
 ///
 /// Where all sources are kept (an imprint), these decide instead: faces of one operand that run against each other cancel, so
 /// that every operand stays closed by itself, and a triangle remains for what is left.

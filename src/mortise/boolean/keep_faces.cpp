@@ -70,6 +70,7 @@ BooleanResult keep_faces(KeepMask mask, std::span<const SurfaceMesh* const> oper
   const std::vector<std::uint8_t> is_kept = triangles_in(mask, result.provenance);
   keep_triangles(is_kept, result.mesh, result.provenance);
   result.provenance.covering_front.clear();
+  result.mesh.walls.clear();
   auto& failed = result.report.certificate.failed_faces;
   failed = renumbered(failed, is_kept);
   return result;

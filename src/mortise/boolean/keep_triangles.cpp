@@ -48,6 +48,7 @@ std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kep
   keep_other_sources(provenance, is_kept);
   keep_marked(mesh.triangles, is_kept);
   keep_marked(mesh.face_labels, is_kept);
+  keep_marked(mesh.walls, is_kept);
   keep_marked(provenance.source_operand, is_kept);
   keep_marked(provenance.source_face, is_kept);
   keep_marked(provenance.flipped, is_kept);
@@ -55,6 +56,12 @@ std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kep
   keep_marked(provenance.covering, is_kept);
   keep_marked(provenance.covering_front, is_kept);
   return drop_unused_vertices(mesh, provenance);
+}
+
+void keep_triangles(const std::vector<std::uint8_t>& is_kept, MergedMesh& merged) {
+  keep_marked(merged.facet_of_triangle, is_kept);
+  keep_marked(merged.is_repaired, is_kept);
+  keep_marked(merged.point_of_vertex, keep_triangles(is_kept, merged.mesh, merged.provenance));
 }
 
 }  // namespace mortise

@@ -6,8 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mortise/mesh/provenance.h"
-#include "mortise/mesh/surface_mesh.h"
+#include "mortise/boolean/merge.h"
 
 namespace mortise {
 
@@ -25,5 +24,6 @@ void keep_marked(std::vector<T>& values, const std::vector<std::uint8_t>& is_kep
 /// Leaves the marked triangles and the vertices they use, in their order.
 /// @return per vertex there was: 1 when it stays
 std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kept, SurfaceMesh& mesh, Provenance& provenance);
+void keep_triangles(const std::vector<std::uint8_t>& is_kept, MergedMesh& merged);
 
 }  // namespace mortise

@@ -70,11 +70,17 @@ class CoveringSets {
 void add_covering(const Selection& selection, MergedMesh& merged) {
   Provenance& provenance = merged.provenance;
   CoveringSets sets(selection, provenance.covering_sets);
+  provenance.keeps_regions_apart = selection.keeps_regions_apart;
   for (const KeptFacet& k : selection.kept) {
     provenance.covering.push_back(sets.number_of(k.inside));
-    if (selection.keeps_inner_faces) provenance.covering_front.push_back(sets.number_of(k.outside));
+    if (selection.keeps_walls) provenance.covering_front.push_back(sets.number_of(k.outside));
   }
   merged.covering_of_region = sets.take();
+}
+
+void add_walls(MergedMesh& merged) {
+  if (std::none_of(merged.facet_of_triangle.begin(), merged.facet_of_triangle.end(), [](const KeptFacet& k) { return k.is_wall; })) return;
+  for (const KeptFacet& k : merged.facet_of_triangle) merged.mesh.walls.push_back(k.is_wall ? 1 : 0);
 }
 
 void add_vertex_sources(const OperandFaces& faces, MergedMesh& merged) {
@@ -143,6 +149,7 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
   }
   merged.provenance.other_source_begin.push_back(static_cast<std::uint32_t>(merged.provenance.other_source_face.size()));
   add_covering(selection, merged);
+  if (selection.keeps_walls) add_walls(merged);
   add_vertex_sources(faces, merged);
   add_labels(operands, merged);
   return merged;

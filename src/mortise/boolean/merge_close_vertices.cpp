@@ -159,11 +159,8 @@ bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair>
   if (!any) return false;
   note_facets_before_repair(merged);
   replace_corners(replacement, merged);
-  const bool has_inner_faces = !merged.provenance.covering_front.empty();
-  const std::vector<std::uint8_t> remains = has_inner_faces ? join_coincident(merged) : find_remaining(merged.mesh.triangles);
-  keep_marked(merged.facet_of_triangle, remains);
-  keep_marked(merged.is_repaired, remains);
-  keep_marked(merged.point_of_vertex, keep_triangles(remains, merged.mesh, merged.provenance));
+  const bool has_walls = !merged.provenance.covering_front.empty();
+  keep_triangles(has_walls ? join_coincident(merged) : find_remaining(merged.mesh.triangles), merged);
   return true;
 }
 

@@ -175,18 +175,18 @@ bool keeps_sense(const MergedMesh& merged, std::span<const FaceId> shell, const 
   return exact.is_outward() ? volume > 0 : volume < 0;
 }
 
-// With inner faces: do the spaces of each set of operands have volume, and the surrounding one, turned outside in, less than none?
+// With walls: do spaces of each kind have volume, and the surrounding one, turned outside in, less than none?
 bool keeps_senses(const MergedMesh& merged, std::span<const FaceId> shell, const ExactShell& exact) {
   const Provenance& p = merged.provenance;
-  std::map<std::uint32_t, std::vector<Triangle>> boundary;  // by covering set, the space behind its triangles
+  std::map<std::uint32_t, std::vector<Triangle>> boundary;  // by space, which lies behind its triangles
   for (const FaceId f : shell) {
     const Triangle& t = merged.mesh.triangles[f.index()];
-    const std::uint32_t behind = p.covering[f.index()], in_front = p.covering_front[f.index()];
+    const std::uint32_t behind = p.space_of(p.covering[f.index()]), in_front = p.space_of(p.covering_front[f.index()]);
     if (behind == in_front) continue;
     boundary[behind].push_back(t);
     boundary[in_front].push_back({t[0], t[2], t[1]});
   }
-  const std::uint32_t surrounding = merged.covering_of_region[exact.surrounding()];
+  const std::uint32_t surrounding = p.space_of(merged.covering_of_region[exact.surrounding()]);
   return std::all_of(boundary.begin(), boundary.end(), [&](const auto& space) {
     const double volume = volume_of(merged.mesh, space.second);
     return space.first == surrounding ? volume < 0 : volume > 0;
@@ -197,13 +197,13 @@ bool keeps_senses(const MergedMesh& merged, std::span<const FaceId> shell, const
 
 std::vector<FaceId> find_turned_shells(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,
                                        const std::vector<std::uint8_t>& is_moved) {
-  const bool has_inner_faces = !merged.provenance.covering_front.empty();
+  const bool has_walls = !merged.provenance.covering_front.empty();
   std::vector<FaceId> turned;
   ExactSurface surface(faces, facets, merged);
   for (const std::vector<FaceId>& shell : moved_shells(merged.mesh, is_moved)) {
     const std::vector<KeptFacet> kept = surface.facets_of(shell);
     const ExactShell exact(faces, facets, kept);
-    if (!(has_inner_faces ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact))) turned.push_back(shell.front());
+    if (!(has_walls ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact))) turned.push_back(shell.front());
   }
   return turned;
 }

@@ -54,7 +54,7 @@ class PatchBuilder {
     std::fill(is_free_.begin(), is_free_.begin() + static_cast<std::ptrdiff_t>(faces_.points.input_count()), std::uint8_t{1});
     for (const PointId p : map.contact_points) is_free_[p.index()] = 0;
     for (std::size_t k = 0; k < faces_.operand_count(); ++k) {
-      if (faces_.self_contacts[OperandId(k)] != SelfContacts::All) continue;
+      if (faces_.self_contacts[OperandId(k)] != SelfContacts::All && !has_walls(faces_.kind[OperandId(k)])) continue;
       for (const PointId p : faces_.point_of_vertex[OperandId(k)]) is_free_[p.index()] = 0;
     }
   }
@@ -89,8 +89,12 @@ class PatchBuilder {
     if (a.is_forward == b.is_forward) return false;
     const auto of_a = facets_.sources_of(a.facet);
     const auto of_b = facets_.sources_of(b.facet);
-    if (of_a.size() == 1 && of_b.size() == 1) return faces_.operand[of_a[0].face] == faces_.operand[of_b[0].face];
-    return jumps_of(faces_, facets_, a.facet) == jumps_of(faces_, facets_, b.facet);
+    if (of_a.size() == 1 && of_b.size() == 1) {
+      const SourceId f = of_a[0].face, g = of_b[0].face;
+      return faces_.operand[f] == faces_.operand[g] && faces_.is_wall[f] == faces_.is_wall[g];
+    }
+    return jumps_of(faces_, facets_, a.facet) == jumps_of(faces_, facets_, b.facet) &&
+           walls_of(faces_, facets_, a.facet) == walls_of(faces_, facets_, b.facet);
   }
 
   void visit_edge(std::span<const FacetEdge> group) {
@@ -113,6 +117,7 @@ class PatchBuilder {
     std::vector<Jump> count;
     for (const FacetEdge& e : group) {
       for (const FacetSource& s : facets_.sources_of(e.facet)) {
+        if (faces_.is_wall[s.face] != 0) continue;
         add_jump(sum, faces_.operand[s.face], s.is_opposite == e.is_forward ? -1 : 1);
         add_jump(count, faces_.operand[s.face], 1);
       }
@@ -166,9 +171,20 @@ class PatchBuilder {
 
 std::vector<Jump> jumps_of(const OperandFaces& faces, const Facets& facets, FacetId f) {
   std::vector<Jump> jumps;
-  for (const FacetSource& s : facets.sources_of(f)) add_jump(jumps, faces.operand[s.face], s.is_opposite ? -1 : 1);
+  for (const FacetSource& s : facets.sources_of(f)) {
+    if (faces.is_wall[s.face] == 0) add_jump(jumps, faces.operand[s.face], s.is_opposite ? -1 : 1);
+  }
   jumps.erase(std::remove_if(jumps.begin(), jumps.end(), [](const Jump& j) { return j.change == 0; }), jumps.end());
   return jumps;
+}
+
+std::vector<OperandId> walls_of(const OperandFaces& faces, const Facets& facets, FacetId f) {
+  std::vector<OperandId> operands;
+  for (const FacetSource& s : facets.sources_of(f)) {
+    const OperandId k = faces.operand[s.face];
+    if (faces.is_wall[s.face] != 0 && (operands.empty() || operands.back() != k)) operands.push_back(k);
+  }
+  return operands;
 }
 
 Patches build_patches(const OperandFaces& faces, const FaceIntersectionMap& map, const Facets& facets) {

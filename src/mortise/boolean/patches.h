@@ -24,8 +24,11 @@ struct Jump {
   bool operator==(const Jump&) const = default;
 };
 
-/// All jumps of a facet: ascending operands, no zero.
+/// All jumps of a facet: ascending operands, no zero. Walls have none.
 [[nodiscard]] std::vector<Jump> jumps_of(const OperandFaces& faces, const Facets& facets, FacetId f);
+
+/// Operands with a wall there, ascending.
+[[nodiscard]] std::vector<OperandId> walls_of(const OperandFaces& faces, const Facets& facets, FacetId f);
 
 /// An edge with other than two facets, or where two facets do not continue each other.
 struct Junction {
@@ -34,7 +37,8 @@ struct Junction {
   std::uint32_t facet_count = 0;  ///< in Patches::around, counterclockwise
 };
 
-/// An edge at which the facets of an operand do not balance: it has a border there, crosses itself, or is badly oriented.
+/// An edge at which the facets of an operand, but for walls, do not balance: it has a border there, crosses itself, or is
+/// badly oriented.
 struct UnbalancedEdge {
   OperandId operand;
   PointId u, v;
@@ -42,7 +46,7 @@ struct UnbalancedEdge {
 };
 
 /// Patches are facets joined without crossing a junction. Facets also join through a corner that lies on no contact, which
-/// is right for the winding of all other operands; operands with self contacts are joined by edges only (exact-core 4).
+/// is right for the winding of all other operands; operands with self contacts or walls are joined by edges only (exact-core 4).
 struct Patches {
   IdVector<FacetId, PatchId> patch_of_facet;
   IdVector<PatchId, FacetId> first_facet;

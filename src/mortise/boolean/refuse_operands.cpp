@@ -22,7 +22,8 @@ struct EdgeOfOperand {
 
 std::vector<EdgeOfOperand> edges_of(const SurfaceMesh& mesh, const OperandFaces& faces, OperandId k) {
   std::vector<EdgeOfOperand> edges;
-  for (std::uint32_t f = faces.first[k]; f < faces.first[OperandId(k.index() + 1)]; ++f) {
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
+    if (faces.is_wall[SourceId(f)] != 0 && faces.kind[k] != OperandKind::Sheet) continue;
     const PlanePoints& c = faces.corners[SourceId(f)];
     const Triangle& t = mesh.triangles[faces.face_in_operand(SourceId(f))];
     for (std::size_t i = 0; i < 3; ++i) {
@@ -78,6 +79,20 @@ void refuse_inside_out(const OperandFaces& faces, OperandId k) {
 }
 
 }  // namespace
+
+std::vector<OperandId> find_sheets(const Categories& categories) {
+  std::vector<OperandId> sheets;
+  for (const UnbalancedEdge& e : categories.patches.unbalanced) {
+    if (e.is_open) sheets.push_back(e.operand);
+  }
+  std::sort(sheets.begin(), sheets.end());
+  sheets.erase(std::unique(sheets.begin(), sheets.end()), sheets.end());
+  return sheets;
+}
+
+std::vector<std::uint32_t> open_edges(const SurfaceMesh& mesh, const OperandFaces& faces, OperandId k) {
+  return unbalanced_pairs(edges_of(mesh, faces, k), Which::Open);
+}
 
 void refuse_operands(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Categories& categories) {
   const auto& unbalanced = categories.patches.unbalanced;

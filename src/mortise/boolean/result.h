@@ -46,11 +46,18 @@ struct StageTime {
   double milliseconds = 0;
 };
 
+/// An operand that bounds no volume.
+struct SheetOperand {
+  std::uint32_t operand = 0;
+  std::vector<std::uint32_t> open_edges;  ///< two vertices of the operand each: where an odd number of its faces meets
+};
+
 struct BooleanReport {
   std::vector<StageTime> stages;
   Certificate certificate;
   ContactMeasure contact;
   std::vector<std::uint32_t> self_contacts;  ///< operands whose crossings with themselves had to be resolved
+  std::vector<SheetOperand> sheets;          ///< ascending
   std::vector<std::string> notes;
 };
 

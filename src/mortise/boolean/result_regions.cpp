@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
+#include <set>
 #include <utility>
 
 #include "mortise/base/bits.h"
@@ -54,15 +56,19 @@ ResultRegions regions_of_boolean(const BooleanResult& result) {
   return regions;
 }
 
-// A cell and the operands round it make a region; where no repair went wrong a cell has one such set.
-class PartitionRegions {
+// A cell with its kind of space makes a region; where no repair went wrong a cell has one kind.
+class CellRegions {
  public:
-  explicit PartitionRegions(const BooleanResult& result) : provenance_(result.provenance), cells_(find_cells(result.mesh)) {}
+  explicit CellRegions(const BooleanResult& result) : provenance_(result.provenance), cells_(find_cells(result.mesh)) {}
 
   [[nodiscard]] ResultRegions find() {
     for (std::size_t f = 0; f < cells_.behind.size(); ++f) {
       regions_.region_of_facet.push_back(region(cells_.behind[f], provenance_.covering[f]));
       regions_.region_in_front.push_back(region(cells_.in_front[f], provenance_.covering_front[f]));
+    }
+    for (ResultRegion& r : regions_.regions) {
+      std::sort(r.operands.begin(), r.operands.end());
+      r.operands.erase(std::unique(r.operands.begin(), r.operands.end()), r.operands.end());
     }
     return std::move(regions_);
   }
@@ -71,20 +77,26 @@ class PartitionRegions {
   std::uint32_t region(std::uint32_t cell, std::uint32_t covering) {
     const std::vector<std::uint32_t>& operands = provenance_.covering_sets[covering];
     const bool is_void = operands.empty();
-    const auto set_of_cell = set_of_cell_.try_emplace(cell, covering).first->second;
-    if (set_of_cell != covering || (cell == MeshCells::unbounded && !is_void)) regions_.is_closed = false;
+    const std::uint32_t space = provenance_.space_of(covering);
+    const auto space_of_cell = space_of_cell_.try_emplace(cell, space).first->second;
+    if (space_of_cell != space || (cell == MeshCells::unbounded && !is_void)) regions_.is_closed = false;
     if (is_void) return ResultRegions::none;
     const auto number = static_cast<std::uint32_t>(regions_.regions.size());
-    const auto [found, is_new] = number_.try_emplace({cell, covering}, number);
-    if (is_new) regions_.regions.push_back({operands, cells_.cells[cell].volume, cells_.cells[cell].area});
+    const auto [found, is_new] = number_.try_emplace({cell, space}, number);
+    if (is_new) regions_.regions.push_back({{}, cells_.cells[cell].volume, cells_.cells[cell].area});
+    if (seen_.insert({found->second, covering}).second) {
+      std::vector<std::uint32_t>& all = regions_.regions[found->second].operands;
+      all.insert(all.end(), operands.begin(), operands.end());
+    }
     return found->second;
   }
 
   const Provenance& provenance_;
   MeshCells cells_;
   ResultRegions regions_;
-  std::map<std::uint32_t, std::uint32_t> set_of_cell_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_;
+  std::map<std::uint32_t, std::uint32_t> space_of_cell_;
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> number_;  // by cell and space
+  std::set<std::pair<std::uint32_t, std::uint32_t>> seen_;                   // region, covering set
 };
 
 }  // namespace
@@ -96,12 +108,19 @@ double ResultRegions::total_volume() const {
 }
 
 ResultRegions find_result_regions(const BooleanResult& result) {
-  if (!result.provenance.covering_front.empty()) return PartitionRegions(result).find();
+  if (!result.provenance.covering_front.empty()) return CellRegions(result).find();
   if (is_balanced(result.mesh)) return regions_of_boolean(result);
   ResultRegions open;
   open.region_of_facet.assign(result.mesh.triangles.size(), ResultRegions::none);
   open.is_closed = false;
   return open;
+}
+
+void correct_by_regions(const BooleanResult& result, const ResultRegions& regions, MeshReport& report) {
+  if (result.provenance.covering_front.empty()) return;
+  report.closed = regions.is_closed && report.boundary_edges == 0;
+  const bool has_volume = regions.is_closed && !regions.regions.empty();
+  report.volume = has_volume ? std::optional(regions.total_volume()) : std::nullopt;
 }
 
 SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region) {

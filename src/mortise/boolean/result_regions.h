@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mortise/boolean/result.h"
+#include "mortise/mesh/inspect.h"
 
 namespace mortise {
 
@@ -32,6 +33,10 @@ struct ResultRegions {
 /// that different operands contain; void cavities are no regions. An open result (keep_faces) has none.
 /// O(n log n) in facets.
 [[nodiscard]] ResultRegions find_result_regions(const BooleanResult& result);
+
+/// Where a result may have walls, its edges say nothing of its volume: corrects `closed` and `volume` of its report by its regions.
+/// Closed is a result whose regions are and that has no border.
+void correct_by_regions(const BooleanResult& result, const ResultRegions& regions, MeshReport& report);
 
 /// The boundary of one region as a mesh of its own, the region behind its faces.
 [[nodiscard]] SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region);

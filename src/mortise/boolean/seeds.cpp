@@ -152,7 +152,7 @@ class SeedFinder {
       const OperandId k(i);
       if (!boxes_meet(faces_.bounds[k], ray_box(start))) continue;
       for_each_face_on_ray(k, ray_box(start), [&](SourceId f) {
-        if (faces_.shape[f] != FaceShape::Proper || complex_of_face_[f] == own) return;
+        if (faces_.shape[f] != FaceShape::Proper || faces_.is_wall[f] != 0 || complex_of_face_[f] == own) return;
         winding[i] += winding_step(faces_.corner_position(f, 0), faces_.corner_position(f, 1), faces_.corner_position(f, 2), start);
       });
     }

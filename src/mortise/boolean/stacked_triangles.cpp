@@ -36,12 +36,17 @@ std::optional<OuterSpaces> outer_spaces(std::span<const StackedTriangle> stack, 
     behind.push_back(s.is_even ? p.covering[s.triangle] : p.covering_front[s.triangle]);
   }
   for (const std::uint32_t space : std::vector<std::uint32_t>(in_front)) {
-    const auto at = std::find(behind.begin(), behind.end(), space);
+    const auto at = std::find_if(behind.begin(), behind.end(), [&](std::uint32_t other) { return p.space_of(other) == p.space_of(space); });
     if (at == behind.end()) continue;
     behind.erase(at);
     in_front.erase(std::find(in_front.begin(), in_front.end(), space));
   }
-  if (in_front.empty()) return std::nullopt;
+  if (in_front.empty()) {
+    const auto is_sheet = [&](const StackedTriangle& s) { return p.covering[s.triangle] == p.covering_front[s.triangle]; };
+    const auto sheet = std::find_if(stack.begin(), stack.end(), is_sheet);
+    if (sheet == stack.end()) return std::nullopt;
+    return OuterSpaces{p.covering[sheet->triangle], p.covering[sheet->triangle]};
+  }
   return OuterSpaces{in_front.front(), behind.front()};
 }
 

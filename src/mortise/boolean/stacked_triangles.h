@@ -28,7 +28,7 @@ struct OuterSpaces {
   std::uint32_t in_front, behind;  ///< of a triangle that runs along the ascending corners
 };
 
-/// What is left when spaces between the triangles cancel in pairs; nothing when all do.
+/// What is left when spaces between the triangles cancel in pairs; when all do, the space round the sheet among them, or nothing.
 [[nodiscard]] std::optional<OuterSpaces> outer_spaces(std::span<const StackedTriangle> stack, const Provenance& provenance);
 
 }  // namespace mortise

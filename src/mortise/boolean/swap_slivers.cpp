@@ -12,6 +12,7 @@
 #include "mortise/boolean/keep_triangles.h"
 #include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
+#include "mortise/mesh/face_marks.h"
 
 namespace mortise {
 namespace {
@@ -167,7 +168,7 @@ class SliverSwapper {
   // Triangle t belongs to the face of n from now on.
   void copy_row(FaceId t, FaceId n) {
     merged_.facet_of_triangle[t.index()] = merged_.facet_of_triangle[n.index()];
-    if (!mesh_.face_labels.empty()) mesh_.face_labels[t.index()] = mesh_.face_labels[n.index()];
+    copy_face_marks(n, t, mesh_);
     Provenance& p = merged_.provenance;
     p.source_operand[t.index()] = p.source_operand[n.index()];
     p.source_face[t.index()] = p.source_face[n.index()];
@@ -181,7 +182,7 @@ class SliverSwapper {
   FaceId append_row() {
     Provenance& p = merged_.provenance;
     mesh_.triangles.emplace_back();
-    if (!mesh_.face_labels.empty()) mesh_.face_labels.push_back(0);
+    resize_face_marks(mesh_);
     merged_.facet_of_triangle.emplace_back();
     merged_.is_repaired.push_back(0);
     for (auto* row : {&p.source_operand, &p.source_face, &p.covering, &p.covering_front}) row->push_back(0);

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/repair_steps.h"
 #include "mortise/mesh/repeats_vertex.h"
@@ -172,7 +173,7 @@ class DegenerateFaces {
     mesh_.triangles[g.index()] = {p, middle, w};
     mesh_.triangles[f.index()] = {middle, q, w};
     repair_.source[f.index()] = repair_.source[g.index()];
-    if (!mesh_.face_labels.empty()) mesh_.face_labels[f.index()] = mesh_.face_labels[g.index()];
+    copy_face_marks(g, f, mesh_);
     for (const FaceId changed : {f, g}) {
       edges_.add_face(changed);
       if (is_degenerate(mesh_, changed)) waiting_.push_back(changed);

@@ -76,7 +76,9 @@ bool is_below(const MeshPart& sheet, double z) {
 }
 
 SurfaceMesh shadow_of(const SurfaceMesh& sheet, double z) {
-  SurfaceMesh shadow{sheet.points, sheet.triangles, {}, {}};
+  SurfaceMesh shadow;
+  shadow.points = sheet.points;
+  shadow.triangles = sheet.triangles;
   for (Vec3d& p : shadow.points) p.z = z;
   return shadow;
 }
@@ -130,6 +132,7 @@ SurfaceMesh extrude_to(const SurfaceMesh& sheet, double z) {
   const std::size_t sheet_faces = solid.triangles.size();
   close_below(solid, shadow);
   label_new_faces(solid, sheet_faces);
+  solid.walls.clear();
   if (!below) std::for_each(solid.triangles.begin(), solid.triangles.end(), turn_over);
   return solid;
 }

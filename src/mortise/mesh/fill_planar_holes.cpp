@@ -10,6 +10,7 @@
 
 #include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/repair_steps.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/triangulate_polygon.h"
@@ -192,7 +193,7 @@ void fill(MeshInRepair& repair, const Hole& hole) {
   for (const std::array<std::uint32_t, 3>& t : triangulate_polygon(hole.points).triangles) {
     mesh.triangles.push_back({hole.corners[t[0]], hole.corners[t[1]], hole.corners[t[2]]});
     repair.source.push_back(RepairedMesh::none);
-    if (!mesh.face_labels.empty()) mesh.face_labels.push_back(std::uint32_t{mesh.face_labels[neighbour]});
+    append_face_marks(mesh, FaceId(neighbour), mesh);
   }
 }
 

@@ -24,14 +24,20 @@ struct Provenance {
   std::vector<FacetCategory> category;                    ///< per facet
   std::vector<std::uint32_t> covering;                    ///< per facet: index into covering_sets
   std::vector<std::vector<std::uint32_t>> covering_sets;  ///< operands that contain the space just behind a facet, ascending
-  std::vector<std::uint32_t> covering_front;      ///< where inner faces are kept (a partition), else empty: the same for the space in front
-  std::vector<std::uint32_t> other_source_begin;  ///< CSR: facet count + 1 offsets into the two arrays below
-  std::vector<std::uint32_t> other_source_operand;  ///< further sources that coincide with a facet
+  std::vector<std::uint32_t> covering_front;              ///< where there may be walls, else empty: the same for the space in front
+  bool keeps_regions_apart = false;                       ///< spaces of different operands are different regions: a partition
+  std::vector<std::uint32_t> other_source_begin;          ///< CSR: facet count + 1 offsets into the two arrays below
+  std::vector<std::uint32_t> other_source_operand;        ///< further sources that coincide with a facet
   std::vector<std::uint32_t> other_source_face;
   std::vector<std::uint8_t> other_source_flipped;  ///< 1 when the facet runs against that source
   std::vector<std::uint32_t> vertex_operand;       ///< per vertex: operand of its source vertex, or none
   std::vector<std::uint32_t> vertex_source;        ///< per vertex: vertex of that operand, or none for a made vertex
   static constexpr std::uint32_t none = 0xffffffffU;
+
+  /// A number for the space that these operands contain: equal for spaces that a result does not keep apart.
+  [[nodiscard]] std::uint32_t space_of(std::uint32_t covering_set) const {
+    return keeps_regions_apart ? covering_set : covering_sets[covering_set].empty() ? 0 : 1;
+  }
 };
 
 }  // namespace mortise

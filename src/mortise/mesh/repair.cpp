@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/repair_steps.h"
 #include "mortise/mesh/select_faces.h"
 #include "mortise/mesh/validate.h"
@@ -73,12 +74,12 @@ void keep_faces(MeshInRepair& repair, const std::vector<bool>& is_kept) {
     if (!is_kept[f]) continue;
     mesh.triangles[kept] = mesh.triangles[f];
     repair.source[kept] = repair.source[f];
-    if (!mesh.face_labels.empty()) mesh.face_labels[kept] = mesh.face_labels[f];
+    copy_face_marks(FaceId(f), FaceId(kept), mesh);
     ++kept;
   }
   mesh.triangles.resize(kept);
   repair.source.resize(kept);
-  if (!mesh.face_labels.empty()) mesh.face_labels.resize(kept);
+  resize_face_marks(mesh);
 }
 
 void add_note(MeshInRepair& repair, RepairStep step, RepairOutcome outcome, std::uint64_t count, const std::vector<FaceId>& faces) {

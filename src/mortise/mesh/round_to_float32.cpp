@@ -12,6 +12,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/geom/length.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/validate.h"
@@ -51,11 +52,11 @@ void drop_collapsed_faces(SurfaceMesh& mesh) {
   for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     if (!has_three_corners(mesh.triangles[f])) continue;
     mesh.triangles[kept] = mesh.triangles[f];
-    if (!mesh.face_labels.empty()) mesh.face_labels[kept] = mesh.face_labels[f];
+    copy_face_marks(FaceId(f), FaceId(kept), mesh);
     ++kept;
   }
   mesh.triangles.resize(kept);
-  if (!mesh.face_labels.empty()) mesh.face_labels.resize(kept);
+  resize_face_marks(mesh);
 }
 
 /// The half-edge along the longest side of a face.
@@ -109,7 +110,7 @@ class AreaRepair {
     if (!runs_back || a == w || touches_swapped(h) || touches_swapped(across) || are_joined(topology_, a, w)) return false;
     mesh_.triangles[h / 3] = {a, u, w};
     mesh_.triangles[across / 3] = {w, v, a};
-    if (!mesh_.face_labels.empty()) mesh_.face_labels[h / 3] = mesh_.face_labels[across / 3];
+    copy_face_marks(face_of(across), face_of(h), mesh_);
     touch(h);
     touch(across);
     return true;

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "mortise/mesh/face_marks.h"
+
 namespace mortise {
 
 MeshPart select_faces(const SurfaceMesh& mesh, std::span<const FaceId> faces) {
@@ -23,7 +25,7 @@ MeshPart select_faces(const SurfaceMesh& mesh, std::span<const FaceId> faces) {
     Triangle t = mesh.triangles[f.index()];
     for (VertexId& v : t) v = VertexId(static_cast<std::size_t>(std::lower_bound(used.begin(), used.end(), v) - used.begin()));
     part.mesh.triangles.push_back(t);
-    if (!mesh.face_labels.empty()) part.mesh.face_labels.push_back(mesh.face_labels[f.index()]);
+    append_face_marks(mesh, f, part.mesh);
   }
   part.mesh.label_names = mesh.label_names;
   return part;

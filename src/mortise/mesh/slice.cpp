@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <utility>
 
@@ -16,6 +15,7 @@
 #include "mortise/exact/plane_predicates.h"
 #include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/require_closed.h"
+#include "mortise/mesh/require_plane.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/validate.h"
 #include "mortise/mesh/wedge_partners.h"
@@ -27,15 +27,6 @@ namespace {
 constexpr const char* stage = "slice";
 
 using Polygon = std::vector<Vec3d>;
-
-void require_plane(const Plane& plane) {
-  constexpr double largest = std::numeric_limits<double>::max();
-  const Vec3d& n = plane.normal;
-  const bool is_finite =
-      std::fabs(n.x) <= largest && std::fabs(n.y) <= largest && std::fabs(n.z) <= largest && std::fabs(plane.offset) <= largest;
-  if (is_finite && n != Vec3d{}) return;
-  throw Error(ErrorCode::InvalidArgument, stage, "a plane has four finite numbers and a normal that is not zero");
-}
 
 void drop_repeating_faces(SurfaceMesh& mesh) {
   mesh.triangles.erase(std::remove_if(mesh.triangles.begin(), mesh.triangles.end(), repeats_vertex), mesh.triangles.end());
@@ -158,7 +149,7 @@ class AreaInPlane {
 
 Section slice(const SurfaceMesh& mesh, const Plane& plane) {
   validate(mesh);
-  require_plane(plane);
+  require_plane(plane, stage);
   WeldedMesh welded = weld(mesh);
   drop_repeating_faces(welded.mesh);
   const MeshTopology topology = build_topology(welded.mesh);

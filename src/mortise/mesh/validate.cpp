@@ -44,6 +44,11 @@ void validate(const SurfaceMesh& mesh) {
   refuse(
       mesh.triangles.size(), has_bad_index, IdKind::Faces,
       Error(ErrorCode::BadIndex, stage, "a triangle names a vertex that does not exist: there are " + std::to_string(mesh.points.size())));
+  if (!mesh.walls.empty() && mesh.walls.size() != mesh.triangles.size()) {
+    throw Error(
+        ErrorCode::InvalidArgument, stage,
+        "there are " + std::to_string(mesh.walls.size()) + " marks of walls for " + std::to_string(mesh.triangles.size()) + " triangles");
+  }
   if (mesh.face_labels.empty()) return;
   if (mesh.face_labels.size() != mesh.triangles.size()) {
     throw Error(ErrorCode::InvalidArgument, stage,

@@ -46,7 +46,7 @@ async function forget({ keys }) {
 async function evaluate({ operation, operands, inspect }, tell) {
   const mortise = await runningCore();
   const placed = await placeOperands(mortise, operands);
-  const { mesh, report, graph, provenance } = mortise[operation](placed.map((operand) => operand.mesh), { onProgress: tell, inspect });
+  const { mesh, report, graph, provenance } = mortise[operation](placed.map((operand) => operand.mesh), { onProgress: tell, inspect, kind: 'solid' });
   const normals = normalsFromSources(provenance, placed.map((operand) => operand.normals));
   const display = displayOf(mesh, normals, provenance.sourceOperand);
   const segments = relativeSegments(graph, display.origin);

@@ -5,6 +5,7 @@
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
+import { parseNumbers } from '../arguments.js';
 import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';
 import { exitCode } from '../exit_codes.js';
 import { storedResult } from '../stored.js';
@@ -17,31 +18,31 @@ import { storedResult } from '../stored.js';
  * @property {string} [files] what the files are; default A B [C...]
  * @property {Record<string, import('../arguments.js').Option>} [options]
  * @property {string} [optionHelp]
- * @property {(mortise: import('../../index.js').Mortise, operands: import('../../index.js').Mesh[], word: string, values: Record<string, any>) =>
+ * @property {(mortise: import('../../index.js').Mortise, operands: import('../../index.js').Operand[], options: import('../../index.js').BooleanOptions, word: string, values: Record<string, any>) =>
  *   import('../../index.js').BooleanResult} evaluate
  */
 
 /** @type {Record<string, Kind>} */
 const kinds = {
-  union: { meaning: 'All that is inside any of the meshes.', evaluate: (mortise, operands) => mortise.union(operands) },
-  intersect: { meaning: 'All that is inside every mesh.', evaluate: (mortise, operands) => mortise.intersect(operands) },
-  subtract: { meaning: 'The first mesh without all others.', evaluate: (mortise, operands) => mortise.subtract(operands) },
-  xor: { meaning: 'All that is inside an odd number of meshes.', evaluate: (mortise, operands) => mortise.symmetricDifference(operands) },
+  union: { meaning: 'All that is inside any of the meshes.', evaluate: (mortise, operands, options) => mortise.union(operands, options) },
+  intersect: { meaning: 'All that is inside every mesh.', evaluate: (mortise, operands, options) => mortise.intersect(operands, options) },
+  subtract: { meaning: 'The first mesh without all others.', evaluate: (mortise, operands, options) => mortise.subtract(operands, options) },
+  xor: { meaning: 'All that is inside an odd number of meshes.', evaluate: (mortise, operands, options) => mortise.symmetricDifference(operands, options) },
   partition: {
     meaning: 'The union with the faces that separate regions of different meshes, each once (the non-regularized union; also: nru).',
-    evaluate: (mortise, operands) => mortise.partition(operands),
+    evaluate: (mortise, operands, options) => mortise.partition(operands, options),
   },
   combine: {
     word: 'EXPRESSION',
     meaning: `What an expression says, for example "(a|b)&!c". The meshes are a, b, c ... in their order, or #0, #1, #2 ...
 From tight to loose: ! outside, - without, & and, ^ an odd number, | or; parentheses.`,
-    evaluate: (mortise, operands, word) => mortise.combine(word, operands),
+    evaluate: (mortise, operands, options, word) => mortise.combine(word, operands, options),
   },
   keep: {
     word: 'TAGS',
     meaning: `Faces by tags with commas between them, after cutting all meshes along their contacts; the result may be open:
 10 and 11 of the first mesh outside and inside others, 20 and 21 of the others, same and opposite where faces coincide.`,
-    evaluate: (mortise, operands, word) => mortise.keep(/** @type {any} */ (word.split(',')), operands),
+    evaluate: (mortise, operands, options, word) => mortise.keep(/** @type {any} */ (word.split(',')), operands, options),
   },
   implant: {
     files: 'HOST COMPONENT [COMPONENT...]',
@@ -49,22 +50,23 @@ From tight to loose: ! outside, - without, & and, ^ an odd number, | or; parenth
 A component stays entire; what lies inside both is the component's, the last one's where components overlap.`,
     options: { contact: { type: 'string' } },
     optionHelp: '  --contact keep|drop   the faces between host and component: keep them (the default), or drop them to make one body\n',
-    evaluate: (mortise, operands, _, values) => mortise.implant(operands, { contact: values.contact }),
+    evaluate: (mortise, operands, options, _, { contact }) => mortise.implant(/** @type {any} */ (operands), { ...options, contact }),
   },
   resolve: {
     files: 'IN',
     meaning: 'The boundary of what a mesh that overlaps or crosses itself covers.',
-    evaluate: (mortise, operands) => resolveOne(mortise, operands),
+    evaluate: (mortise, operands, options) => resolveOne(mortise, operands, options),
   },
 };
 
 /**
  * @param {import('../../index.js').Mortise} mortise
- * @param {import('../../index.js').Mesh[]} operands
+ * @param {import('../../index.js').Operand[]} operands
+ * @param {import('../../index.js').BooleanOptions} options
  */
-function resolveOne(mortise, operands) {
+function resolveOne(mortise, operands, options) {
   if (operands.length !== 1) throw invalidArgument('resolve needs one mesh file');
-  return mortise.resolve(operands[0]);
+  return mortise.resolve(/** @type {any} */ (operands[0]), options);
 }
 
 /** @param {string} name */
@@ -72,14 +74,33 @@ function helpText(name) {
   const { meaning, word, files = 'A B [C...]', optionHelp = '' } = kinds[name];
   return `mortise ${name} ${word === undefined ? '' : `${word} `}${files} -o OUT
 
-${meaning} Meshes are closed; they may touch, coincide, contain one another and cross themselves.
+${meaning} Meshes may touch, coincide, contain one another and cross themselves; open ones are sheets.
 
 ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard output
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
+  --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
+  --kind solid          refuse open meshes, naming their open edges
   --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
+}
+
+/**
+ * @param {import('../arguments.js').Arguments} args
+ * @returns {import('../../index.js').BooleanOptions}
+ */
+function optionsOf({ values: { kind } }) {
+  return kind === undefined ? {} : { kind: /** @type {any} */ (kind) };
+}
+
+/**
+ * One operand per --plane, in the order typed.
+ * @param {import('../arguments.js').Arguments} args
+ */
+function planesOf({ typed }) {
+  const numbersOf = (/** @type {string} */ text) => /** @type {[number, number, number, number]} */ (parseNumbers(text, 'plane', 4));
+  return typed.filter(({ name }) => name === 'plane').map(({ value }) => ({ plane: numbersOf(value) }));
 }
 
 /**
@@ -90,18 +111,18 @@ export function booleanVerb(name) {
   const { word, evaluate, options } = kinds[name];
   return {
     help: helpText(name),
-    options: { ...writingOptions, ...options, 'allow-uncertified': { type: 'boolean' } },
+    options: { ...writingOptions, ...options, 'allow-uncertified': { type: 'boolean' }, kind: { type: 'string' }, plane: { type: 'string' } },
     run(mortise, args, streams) {
       const target = targetOf(args);
       const files = word === undefined ? args.positionals : args.positionals.slice(1);
       if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
-      const operands = files.map((file) => readOperand(mortise, file, args, streams));
-      const result = namingFiles(files, () => evaluate(mortise, operands, args.positionals[0], args.values));
+      const operands = [...files.map((file) => readOperand(mortise, file, args, streams)), ...planesOf(args)];
+      const result = namingFiles(files, () => evaluate(mortise, operands, optionsOf(args), args.positionals[0], args.values));
       const { mesh, report } = storedResult(mortise, result, target.format);
       const refused = !report.certified && !args.values['allow-uncertified'];
       if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);
-      report.operands = report.operands.map((operand, i) => ({ name: displayName(files[i]), ...operand }));
+      report.operands = report.operands.map((operand, i) => ({ name: i < files.length ? displayName(files[i]) : '--plane', ...operand }));
       report.milliseconds = performance.now() - begin;
       printReport(report, [name, refused ? 'not written' : `${displayName(target.file)} (${target.format})`], args, streams);
       if (refused) streams.err('mortise: the result is not certified and was not written; --allow-uncertified writes it\n');
