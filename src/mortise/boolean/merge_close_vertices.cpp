@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <tuple>
+#include <utility>
 
 #include "mortise/boolean/join_coincident.h"
 #include "mortise/boolean/keep_triangles.h"
@@ -40,23 +42,33 @@ struct ClosePair {
   VertexId a, b;  // a precedes b
 };
 
+// Pairs of different vertices of failed pairs, each once: triangles in a bad place fail with many others.
+std::vector<std::uint64_t> pairs_of_corners(const SurfaceMesh& mesh, std::span<const FailedPair> failed) {
+  std::vector<std::uint64_t> pairs;
+  for (const FailedPair& f : failed) {
+    std::array<VertexId, 6> corners;
+    const auto second = std::copy_n(mesh.triangles[f.a.index()].begin(), 3, corners.begin());
+    std::copy_n(mesh.triangles[f.b.index()].begin(), 3, second);
+    std::sort(corners.begin(), corners.end());
+    const auto end = std::unique(corners.begin(), corners.end());
+    for (auto p = corners.begin(); p != end; ++p) {
+      for (auto q = p + 1; q != end; ++q) pairs.push_back((std::uint64_t{p->value} << 32U) | q->value);
+    }
+  }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+
 std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Precedence& precedes, std::span<const FailedPair> failed,
                                         double least_reach) {
   std::vector<ClosePair> pairs;
-  for (const FailedPair& f : failed) {
-    std::vector<VertexId> corners;
-    for (const FaceId t : {f.a, f.b}) {
-      corners.insert(corners.end(), merged.mesh.triangles[t.index()].begin(), merged.mesh.triangles[t.index()].end());
-    }
-    std::sort(corners.begin(), corners.end(), precedes);
-    corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
-    for (std::size_t i = 0; i < corners.size(); ++i) {
-      for (std::size_t j = i + 1; j < corners.size(); ++j) {
-        const Vec3d& p = merged.mesh.points[corners[i].index()];
-        const double distance = length(merged.mesh.points[corners[j].index()] - p);
-        if (distance <= std::max(repair_reach(p), least_reach)) pairs.push_back({distance, corners[i], corners[j]});
-      }
-    }
+  for (const std::uint64_t key : pairs_of_corners(merged.mesh, failed)) {
+    VertexId a(static_cast<std::uint32_t>(key >> 32U)), b(static_cast<std::uint32_t>(key));
+    if (precedes(b, a)) std::swap(a, b);
+    const Vec3d& p = merged.mesh.points[a.index()];
+    const double distance = length(merged.mesh.points[b.index()] - p);
+    if (distance <= std::max(repair_reach(p), least_reach)) pairs.push_back({distance, a, b});
   }
   std::sort(pairs.begin(), pairs.end(), [&](const ClosePair& p, const ClosePair& q) {
     if (p.distance != q.distance) return p.distance < q.distance;
