@@ -7,6 +7,8 @@
 #include <map>
 
 #include "boolean/evaluation.h"
+#include "mortise/boolean/implant.h"
+#include "mortise/boolean/imprint.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/half_space.h"
 #include "mortise/mesh/measures.h"
@@ -132,6 +134,8 @@ BooleanResult evaluate_column(const std::string& column, const SurfaceMesh& firs
   BooleanOptions options;
   if (is_half_space) options.half_spaces = {is_last ? std::size_t{1} : std::size_t{0}};
   const std::vector<const SurfaceMesh*> operands = is_last ? std::vector{&corner, &first} : std::vector{&first, &corner};
+  if (column == "imprint") return imprint(operands, options).whole;
+  if (column == "implant") return implant(operands, ImplantContact::Keep, options);
   return evaluate_boolean(operations.at(column), operands, options);
 }
 
@@ -152,8 +156,8 @@ std::string outcome(const std::string& column, const std::string& name, const Su
     CHECK(result.report.certificate.status == CertificateStatus::Certified);
     CHECK(oracle::self_crossings(result.mesh).empty());
     const std::string kind = kind_of(result);
-    const bool is_partition = column == "partition" && (kind == "both" || kind == "solid");
-    return is_partition ? "regions" : kind;
+    const bool keeps_regions = column == "partition" || column == "imprint" || column == "implant";
+    return keeps_regions && (kind == "both" || kind == "solid") ? "regions" : kind;
   } catch (const Error& error) {
     if (error.code != ErrorCode::InvalidArgument) CHECK(!error.ids.empty());
     return std::string(error_code_name(error.code));

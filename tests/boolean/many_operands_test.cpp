@@ -3,6 +3,9 @@
 // Many operands in one call: grids of boxes, sponges by differences, and pencils of planes through one line.
 #include <algorithm>
 
+#include "mortise/mesh/extrude_to.h"
+#include "mortise/mesh/measures.h"
+#include "mortise/mesh/shapes.h"
 #include "support/boolean_checks.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
@@ -93,6 +96,46 @@ TEST_CASE("6^3 touching boxes unite to one box, and have nothing in common") {
 TEST_CASE("subtracting 215 touching boxes from one leaves it") {
   const BooleanResult result = evaluate(Operation::Subtract, grid_of_boxes(6, 1));
   CHECK((shape_of(result.mesh).volume == 1 && shape_of(result.mesh).area == 6));
+}
+
+TEST_CASE("2,000 boxes in one union", "[large]") {
+  std::vector<SurfaceMesh> boxes;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec3d lo{static_cast<double>(i % 20), static_cast<double>(i / 20 % 10), static_cast<double>(i / 200)};
+    boxes.push_back(box(lo, lo + Vec3d{1, 1, 1}));
+  }
+  const BooleanResult touching = evaluate(Operation::Union, boxes);
+  CHECK((shape_of(touching.mesh).volume == 2000 && shape_of(touching.mesh).shells == 1));
+  CHECK(shape_of(touching.mesh).area == 2 * (200 + 200 + 100));
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    boxes[i] = moved(boxes[i], {0.25 * static_cast<double>(i % 7), 0.125 * static_cast<double>(i % 5), 0});
+  const BooleanResult overlapping = evaluate(Operation::Union, boxes);
+  CHECK(faults_of_mesh(overlapping) == "");
+  CHECK(overlapping.report.certificate.status == CertificateStatus::Certified);
+}
+
+TEST_CASE("1,000 spheres taken from a block in one call", "[large]") {
+  const SurfaceMesh sphere = make_icosphere(0.375, 2);
+  std::vector<SurfaceMesh> operands{box({0, 0, 0}, {10, 10, 10})};
+  for (int i = 0; i < 1000; ++i) {
+    operands.push_back(moved(sphere, {0.5 + i % 10, 0.5 + i / 10 % 10, 0.5 + i / 100}));
+  }
+  const BooleanResult result = evaluate(Operation::Subtract, operands);
+  CHECK(shape_of(result.mesh).shells == 1001);
+  CHECK(shape_of(result.mesh).volume == Approx(1000 - 1000 * shape_of(sphere).volume).epsilon(1e-12));
+  CHECK(result.report.certificate.status == CertificateStatus::Certified);
+}
+
+TEST_CASE("two flush decks of a hundred thousand triangles each share one overlay", "[large]") {
+  const auto deck = [](double z) { return extrude_to(make_grid_sheet(1, 1, 220, 220), z); };
+  SurfaceMesh upper = deck(1);
+  for (Vec3d& p : upper.points) p = {0.5 + 0.48 * (p.x - 0.5) - 0.36 * (p.y - 0.5), 0.5 + 0.36 * (p.x - 0.5) + 0.48 * (p.y - 0.5), p.z};
+  const SurfaceMesh lower = deck(-1);
+  const double contact = enclosed_volume(upper);  // the upper deck is one high
+  const BooleanResult result = evaluate(Operation::Union, {lower, upper});
+  CHECK(enclosed_volume(result.mesh) == Approx(1 + contact).epsilon(1e-12));
+  CHECK(result.report.contact.area == Approx(contact).epsilon(1e-12));
+  CHECK(result.report.certificate.status == CertificateStatus::Certified);
 }
 
 TEST_CASE("6^3 overlapping boxes unite to one box of side 6.5") {

@@ -9,6 +9,7 @@
 #include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/shapes.h"
+#include "mortise/mesh/split_parts.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/transform.h"
 #include "support/boolean_scenes.h"
@@ -111,6 +112,9 @@ TEST_CASE("a sheet divides a solid that it separates", "[sheets]") {
   const BooleanResult within = evaluate(Operation::Partition, {unit, plate(0.25, 0.25, 0.75, 0.75, 0.5)});
   CHECK(region_volumes(within) == std::vector<double>{1});
   CHECK(surface_area(within.mesh) == 6.25);
+  using Idle = std::vector<std::uint32_t>;
+  CHECK(find_idle_sheets(halves, find_result_regions(halves)) == Idle{});
+  for (const BooleanResult* result : {&dented, &within}) CHECK(find_idle_sheets(*result, find_result_regions(*result)) == Idle{1});
 }
 
 TEST_CASE("a sheet that separates a solid takes what lies behind it", "[sheets]") {
@@ -235,6 +239,29 @@ TEST_CASE("a component is implanted in an open hull", "[sheets][implant]") {
     CHECK(region_volumes(kept) == std::vector<double>{enclosed_volume(component)});
     CHECK(oracle::self_crossings(kept.mesh).empty());
   }
+}
+
+TEST_CASE("a partition comes apart into its regions", "[sheets][partition]") {
+  const SurfaceMesh hollow = joined({box({0, 0, 0}, {4, 4, 4}), inside_out(box({1, 1, 1}, {2, 2, 2}))});
+  const BooleanResult result =
+      evaluate(Operation::Partition, {hollow, box({3, 3, 3}, {5, 5, 5}), plate(-1, -1, 5, 5, 2.5), plate(6, 6, 7, 7, 0)});
+  std::vector<double> volumes;
+  for (const MeshPart& part : split_parts(result.mesh, SplitBy::Regions)) {
+    CHECK(find_unbalanced_edges(part.mesh, build_topology(part.mesh)).empty());
+    volumes.push_back(enclosed_volume(part.mesh));
+    for (std::size_t f = 0; f < part.mesh.triangles.size(); ++f) {
+      const Triangle &t = part.mesh.triangles[f], &source = result.mesh.triangles[part.source_face[f].index()];
+      CHECK(part.source_vertex[t[0].index()] == source[0]);
+    }
+  }
+  std::sort(volumes.begin(), volumes.end());
+  CHECK(volumes == region_volumes(result));
+  SurfaceMesh torn = result.mesh;
+  torn.triangles.erase(torn.triangles.begin());
+  torn.walls.erase(torn.walls.begin());
+  const auto error = error_of([&] { (void)split_parts(torn, SplitBy::Regions); });
+  REQUIRE(error);
+  CHECK(error->code == ErrorCode::NotClosed);
 }
 
 TEST_CASE("walls travel with the faces of a mesh", "[sheets]") {

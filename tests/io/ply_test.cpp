@@ -188,3 +188,16 @@ TEST_CASE("A PLY round trip keeps every bit and every triangle, as text and bina
   CHECK(is_ascii_ply(write_ply_ascii(mesh)));
   CHECK_FALSE(is_ascii_ply(write_ply_binary(mesh)));
 }
+
+TEST_CASE("PLY keeps walls, in text and binary") {
+  SurfaceMesh mesh = float_tetrahedron();
+  mesh.walls = {0, 1, 0, 1};
+  CHECK(read_ply(write_ply_ascii(mesh)).walls == mesh.walls);
+  CHECK(read_ply(write_ply_binary(mesh)).walls == mesh.walls);
+  CHECK(read_ply(write_ply_binary(float_tetrahedron())).walls.empty());
+  const std::string polygon =
+      "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+      "property int wall\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
+      "7 4 0 1 2 3\n0 3 0 1 2\n";
+  CHECK(read_ply(polygon).walls == std::vector<std::uint8_t>{1, 1, 0});
+}

@@ -206,6 +206,9 @@ val boolean_report_out(std::span<const SurfaceMesh> operands, std::span<const st
   account.notes.push_back(certificate_note(result.report.certificate));
   note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
   account.regions = regions.regions;
+  for (const std::uint32_t k : find_idle_sheets(result, regions)) {
+    account.notes.push_back("operand " + std::to_string(k) + " ends inside a region: it divides nothing there");
+  }
   MeshReport report = inspect_into(result.mesh, search, account);
   correct_by_regions(result, regions, report);
   return report_out(report, search, account);

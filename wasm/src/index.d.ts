@@ -12,7 +12,7 @@ export interface Mesh {
   labelNames?: string[];
   /**
    * One per triangle: 1 for a wall, which has the solid on both sides or on neither: faces between regions, sheets. Results have them
-   * where they need them, so that these can be operands again; files do not keep them.
+   * where they need them, so that these can be operands again; PLY files keep them, others do not.
    */
   walls?: Uint8Array;
 }
@@ -256,7 +256,8 @@ export interface MeshPart extends Mesh {
 export interface SplitOptions {
   /**
    * 'components' (the default): triangles connected through edges; what meets in a vertex only comes apart.
-   * 'regions': the solids of a closed mesh, each with its cavities; solids that touch in an edge or a vertex are two.
+   * 'regions': the solids of a closed mesh, each with its cavities; solids that touch in an edge or a vertex are two. Of a mesh with
+   * walls (a partition) its regions: a triangle between two is in both, each time with the region behind it.
    */
   by?: 'components' | 'regions';
 }

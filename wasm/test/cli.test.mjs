@@ -275,6 +275,21 @@ test('exit code 3: input no operation can work on, with file and place', (t) => 
   assert.deepEqual(readdirSync(cwd).sort(), ['a.ply', 'b.obj', 'bad.obj', 'bad.xyz', 'open.obj']);
 });
 
+test('a plane is one more operand, a sheet is trimmed', (t) => {
+  const cwd = cubes(t);
+  assert.equal(report(cwd, 'intersect', 'a.ply', '--plane', '0,0,1,0.25', '-o', 'low.ply').volume, 0.25);
+  const slab = report(cwd, 'subtract', 'a.ply', '--plane', '0,0,1,0.25', '--plane', '0,0,-1,-0.75', '-o', 'slab.ply');
+  assert.equal(slab.volume, 0.5);
+  assert.deepEqual(slab.operands.map(({ name }) => name), ['a.ply', '--plane', '--plane']);
+  mortise.writeMesh(join(cwd, 'sheet.off'), mortise.transform(mortise.make('gridSheet', { width: 3, depth: 3 }), [{ translate: [-1, -1, 0.5] }]));
+  const inside = report(cwd, 'intersect', 'a.ply', 'sheet.off', '-o', 'inside.ply');
+  assert.deepEqual([inside.area, inside.closed, inside.volume, inside.operands[1].kind], [1, false, null, 'sheet']);
+  assert.equal(report(cwd, 'nru', 'a.ply', 'sheet.off', '-o', 'halves.ply').regions.length, 2);
+  assert.equal(report(cwd, 'nru', 'halves.ply', 'b.obj', '-o', 'more.ply').regions.length, 4);
+  assert.match(run(['union', 'a.ply', '--plane', '0,0,1,0.5', '-o', 'no.ply'], { cwd }).err, /infinity.*\[INVALID_ARGUMENT\]/);
+  assert.match(run(['intersect', 'a.ply', '--plane', '0,0,1', '-o', 'no.ply'], { cwd }).err, /--plane needs 4 numbers/);
+});
+
 test('exit code 4: what float32 cannot hold is not written', (t) => {
   const cwd = cubes(t);
   const { code, err } = run(['transform', 'a.ply', '-o', 'out.stl', '--scale', '1e60'], { cwd });

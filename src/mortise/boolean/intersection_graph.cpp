@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mortise/geom/length.h"
+#include "mortise/mesh/measures.h"
 
 namespace mortise {
 namespace {
@@ -132,12 +133,14 @@ ContactMeasure measure_contact(const OperandFaces& faces, const Facets& facets, 
     measure.length += length(graph.points[q] - graph.points[p]);
   }
   measure.points = static_cast<std::uint64_t>(std::count(is_on_edge.begin(), is_on_edge.end(), 0));
+  SurfaceMesh coincident;
   for (std::size_t i = 0; i < facets.size(); ++i) {
     if (!has_several_operands(faces, facets.sources_of(FacetId(i)))) continue;
-    const PlanePoints& c = facets.corners[FacetId(i)];
-    const Vec3d& a = faces.points.nearest(c[0]);
-    measure.area += length(cross(faces.points.nearest(c[1]) - a, faces.points.nearest(c[2]) - a)) / 2;
+    const std::size_t first = coincident.points.size();
+    for (const PointId p : facets.corners[FacetId(i)]) coincident.points.push_back(faces.points.nearest(p));
+    coincident.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
   }
+  measure.area = surface_area(coincident);
   return measure;
 }
 

@@ -123,6 +123,19 @@ void correct_by_regions(const BooleanResult& result, const ResultRegions& region
   report.volume = has_volume ? std::optional(regions.total_volume()) : std::nullopt;
 }
 
+std::vector<std::uint32_t> find_idle_sheets(const BooleanResult& result, const ResultRegions& regions) {
+  std::vector<std::uint32_t> idle;
+  for (std::size_t f = 0; f < result.mesh.walls.size(); ++f) {
+    const std::uint32_t region = regions.region_of_facet[f];
+    if (result.mesh.walls[f] != 0 && region != ResultRegions::none && region == regions.region_in_front[f]) {
+      idle.push_back(result.provenance.source_operand[f]);
+    }
+  }
+  std::sort(idle.begin(), idle.end());
+  idle.erase(std::unique(idle.begin(), idle.end()), idle.end());
+  return idle;
+}
+
 SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region) {
   SurfaceMesh mesh;
   std::vector<VertexId> vertex(result.mesh.points.size());

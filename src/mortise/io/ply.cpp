@@ -17,12 +17,13 @@ namespace {
 constexpr std::string_view stage_name = "read_ply";
 
 /// What a column means to a mesh.
-enum class Role : unsigned char { None, X, Y, Z, Corners };
+enum class Role : unsigned char { None, X, Y, Z, Corners, Wall };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
   const std::string& name = property.name;
   if (element.name == "vertex" && !property.is_list)
     return name == "x" ? Role::X : name == "y" ? Role::Y : name == "z" ? Role::Z : Role::None;
+  if (element.name == "face" && name == "wall" && !property.is_list && is_ply_integer(property.type)) return Role::Wall;
   if (element.name == "face" && property.is_list && (name == "vertex_indices" || name == "vertex_index")) return Role::Corners;
   return Role::None;
 }
@@ -111,6 +112,7 @@ class TextRows {
 
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(soup);
+    if (role == Role::Wall) return soup.walls.push_back(read_integer(take_word(rest_), place(), "the mark of a wall") != 0 ? 1 : 0);
     if (role != Role::None) {
       point[static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X)] = read_coordinate(take_word(rest_), place());
       return;
@@ -157,6 +159,7 @@ class BinaryRows {
  private:
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(property, soup);
+    if (role == Role::Wall) return soup.walls.push_back(take_integer(property.type) != 0 ? 1 : 0);
     if (role != Role::None) {
       const std::size_t at = offset_;
       const double value = take_value(property.type);
@@ -249,7 +252,9 @@ std::string header_text(const SurfaceMesh& mesh, std::string_view encoding) {
   std::string text = "ply\nformat ";
   text.append(encoding).append(" 1.0\ncomment Mortise\nelement vertex ").append(std::to_string(mesh.points.size()));
   text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-  text.append(std::to_string(mesh.triangles.size())).append("\nproperty list uchar int vertex_indices\nend_header\n");
+  text.append(std::to_string(mesh.triangles.size())).append("\nproperty list uchar int vertex_indices\n");
+  if (!mesh.walls.empty()) text += "property uchar wall\n";
+  text += "end_header\n";
   return text;
 }
 
@@ -278,9 +283,10 @@ std::string write_ply_ascii(const SurfaceMesh& mesh) {
     append_point(text, point);
     text += '\n';
   }
-  for (const Triangle& triangle : mesh.triangles) {
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     text += '3';
-    for (const VertexId vertex : triangle) text.append(" ").append(std::to_string(vertex.value));
+    for (const VertexId vertex : mesh.triangles[f]) text.append(" ").append(std::to_string(vertex.value));
+    if (!mesh.walls.empty()) text += mesh.walls[f] != 0 ? " 1" : " 0";
     text += '\n';
   }
   return text;
@@ -288,13 +294,14 @@ std::string write_ply_ascii(const SurfaceMesh& mesh) {
 
 std::string write_ply_binary(const SurfaceMesh& mesh) {
   std::string bytes = header_text(mesh, "binary_little_endian");
-  bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 13);
+  bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 14);
   for (const Vec3d& point : mesh.points) {
     for (std::size_t i = 0; i < 3; ++i) append_little_endian(bytes, point[i]);
   }
-  for (const Triangle& triangle : mesh.triangles) {
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
     append_little_endian(bytes, std::uint8_t{3});
-    for (const VertexId vertex : triangle) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
+    for (const VertexId vertex : mesh.triangles[f]) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
+    if (!mesh.walls.empty()) append_little_endian(bytes, mesh.walls[f]);
   }
   return bytes;
 }

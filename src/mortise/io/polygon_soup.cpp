@@ -58,6 +58,7 @@ SurfaceMesh build_mesh(PolygonSoup soup) {
     for (std::size_t i = begin; i < soup.face_ends[face]; ++i) polygon.push_back(welded.new_vertex[soup.corners[i]]);
     begin = soup.face_ends[face];
     append_triangles(polygon, mesh);
+    if (!soup.walls.empty()) mesh.walls.resize(mesh.triangles.size(), soup.walls[face]);
     if (!soup.face_labels.empty()) mesh.face_labels.resize(mesh.triangles.size(), soup.face_labels[face]);
   }
   return mesh;

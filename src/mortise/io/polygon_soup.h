@@ -20,6 +20,7 @@ struct PolygonSoup {
   std::vector<std::uint32_t> face_ends;    ///< per face: end of its corners
   std::vector<std::uint32_t> face_labels;  ///< empty, or one per face
   std::vector<std::string> label_names;
+  std::vector<std::uint8_t> walls;  ///< empty, or one per face: SurfaceMesh::walls
 
   void end_face() { face_ends.push_back(static_cast<std::uint32_t>(corners.size())); }
 };
