@@ -24,17 +24,6 @@ FaceShape shape_of(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return gather({make_mesh({a, b, c}, {{0, 1, 2}})}).shape[SourceId(std::size_t{0})];
 }
 
-/// Every triangle with corners of its own.
-SurfaceMesh soup_of(const SurfaceMesh& mesh) {
-  SurfaceMesh soup;
-  for (const Triangle& t : mesh.triangles) {
-    const std::size_t n = soup.points.size();
-    for (const VertexId v : t) soup.points.push_back(mesh.points[v.index()]);
-    soup.triangles.push_back({VertexId(n), VertexId(n + 1), VertexId(n + 2)});
-  }
-  return soup;
-}
-
 SurfaceMesh with_face(SurfaceMesh mesh, std::size_t a, std::size_t b, std::size_t c) {
   mesh.triangles.push_back({VertexId(a), VertexId(b), VertexId(c)});
   return mesh;

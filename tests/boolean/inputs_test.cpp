@@ -31,16 +31,6 @@ SurfaceMesh rectangle(double x0, double y0, double x1, double y1, double z) {
   return make_mesh({{x0, y0, z}, {x1, y0, z}, {x1, y1, z}, {x0, y1, z}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
-SurfaceMesh soup_of(const SurfaceMesh& mesh) {
-  SurfaceMesh soup;
-  for (const Triangle& t : mesh.triangles) {
-    const std::size_t n = soup.points.size();
-    for (const VertexId v : t) soup.points.push_back(mesh.points[v.index()]);
-    soup.triangles.push_back({VertexId(n), VertexId(n + 1), VertexId(n + 2)});
-  }
-  return soup;
-}
-
 SurfaceMesh with_faces(SurfaceMesh mesh, const std::vector<std::array<std::size_t, 3>>& faces) {
   for (const auto& f : faces) mesh.triangles.push_back({VertexId(f[0]), VertexId(f[1]), VertexId(f[2])});
   return mesh;

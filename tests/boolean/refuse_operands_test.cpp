@@ -34,17 +34,6 @@ SurfaceMesh with_flipped_face(SurfaceMesh mesh, std::size_t f) {
   return mesh;
 }
 
-/// Every triangle with corners of its own.
-SurfaceMesh soup_of(const SurfaceMesh& mesh) {
-  SurfaceMesh soup;
-  for (const Triangle& t : mesh.triangles) {
-    const std::size_t n = soup.points.size();
-    for (const VertexId v : t) soup.points.push_back(mesh.points[v.index()]);
-    soup.triangles.push_back({VertexId(n), VertexId(n + 1), VertexId(n + 2)});
-  }
-  return soup;
-}
-
 using Pair = std::array<std::uint32_t, 2>;
 
 /// The vertex pairs of an error, without their direction.

@@ -90,6 +90,16 @@ SurfaceMesh joined(const std::vector<SurfaceMesh>& parts) {
   return whole;
 }
 
+SurfaceMesh soup_of(const SurfaceMesh& mesh) {
+  SurfaceMesh soup;
+  for (const Triangle& t : mesh.triangles) {
+    const std::size_t n = soup.points.size();
+    for (const VertexId v : t) soup.points.push_back(mesh.points[v.index()]);
+    soup.triangles.push_back({VertexId(n), VertexId(n + 1), VertexId(n + 2)});
+  }
+  return soup;
+}
+
 SurfaceMesh inside_out(SurfaceMesh mesh) {
   for (Triangle& t : mesh.triangles) std::swap(t[1], t[2]);
   return mesh;

@@ -27,6 +27,8 @@ namespace mortise::test {
 
 [[nodiscard]] SurfaceMesh joined(const std::vector<SurfaceMesh>& parts);
 [[nodiscard]] SurfaceMesh inside_out(SurfaceMesh mesh);
+/// Every triangle with corners of its own.
+[[nodiscard]] SurfaceMesh soup_of(const SurfaceMesh& mesh);
 [[nodiscard]] SurfaceMesh moved(SurfaceMesh mesh, const Vec3d& offset);
 [[nodiscard]] SurfaceMesh scaled(SurfaceMesh mesh, double factor);
 /// x to y, y to z, z to x: a rotation that is exact in doubles.
