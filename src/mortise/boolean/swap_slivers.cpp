@@ -17,12 +17,6 @@
 namespace mortise {
 namespace {
 
-void keep_rows(const std::vector<std::uint8_t>& remains, MergedMesh& merged) {
-  keep_marked(merged.facet_of_triangle, remains);
-  keep_marked(merged.is_repaired, remains);
-  keep_marked(merged.point_of_vertex, keep_triangles(remains, merged.mesh, merged.provenance));
-}
-
 struct DirectedEdge {
   VertexId from, to;
   FaceId triangle;
@@ -33,7 +27,7 @@ struct DirectedEdge {
 class SliverSwapper {
  public:
   SliverSwapper(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged)
-      : least_reach_(least_reach), has_inner_faces_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
+      : least_reach_(least_reach), has_walls_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
     std::vector<std::uint8_t> is_near(mesh_.points.size(), 0);
     for (const FailedPair& f : failed) {
       for (const FaceId t : {f.a, f.b}) {
@@ -54,7 +48,7 @@ class SliverSwapper {
   bool run() {
     bool any = false;
     for (const FaceId t : candidates_) any |= swap_if_sliver(t);
-    if (any && has_inner_faces_) keep_rows(join_coincident(merged_), merged_);
+    if (any && has_walls_) keep_triangles(join_coincident(merged_), merged_);
     return any;
   }
 
@@ -116,7 +110,7 @@ class SliverSwapper {
     const VertexId v = mesh_.triangles[t.index()][(longest + 1) % 3];
     const VertexId a = mesh_.triangles[t.index()][(longest + 2) % 3];
     const std::vector<FaceId> others = others_at(t, u, v);
-    const bool can_split = !others.empty() && (others.size() == 1 || has_inner_faces_) &&
+    const bool can_split = !others.empty() && (others.size() == 1 || has_walls_) &&
                            std::all_of(others.begin(), others.end(), [&](FaceId n) { return can_take(n, a, u, v); });
     if (!can_split) return false;
     note_facets_before_repair(merged_);
@@ -146,7 +140,7 @@ class SliverSwapper {
   [[nodiscard]] bool can_take(FaceId n, VertexId a, VertexId u, VertexId v) const {
     if (was_swapped(n)) return false;
     const VertexId w = apex(n, u, v);
-    return w != a && (has_inner_faces_ || (find(a, w).empty() && find(w, a).empty()));
+    return w != a && (has_walls_ || (find(a, w).empty() && find(w, a).empty()));
   }
 
   // Triangle n and the one in `slot` become the halves of n on both sides of vertex a in its edge u v.
@@ -211,7 +205,7 @@ class SliverSwapper {
   }
 
   double least_reach_;
-  bool has_inner_faces_;
+  bool has_walls_;
   MergedMesh& merged_;
   SurfaceMesh& mesh_;
   std::vector<FaceId> candidates_;
