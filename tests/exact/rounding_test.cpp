@@ -47,7 +47,7 @@ bool is_bounded(const RoundedCoordinate& r, const oracle::Integer& x, const orac
 /// The x coordinate of the middle of (x0, 0, 0) and (x1, 0, 1), rounded.
 RoundedCoordinate middle(double x0, double x1) {
   const std::array<Vec3d, 9> points{Vec3d{x0, 0, 0}, {x1, 0, 1}, {0, 0, 0.5}, {1, 0, 0.5}, {0, 1, 0.5}};
-  return round_point(construction_of(Kind::LinePlane), points)[0];
+  return round_point(construction_of(Kind::LinePlane), points).coordinates[0];
 }
 
 }  // namespace
@@ -73,7 +73,7 @@ TEST_CASE("Every made coordinate is its nearest double, with a side and a bound 
         CHECK_THROWS_AS(round_point(construction, all), Error);
         continue;
       }
-      const auto rounded = round_point(construction, all);
+      const auto rounded = round_point(construction, all).coordinates;
       for (std::size_t i = 0; i < 3; ++i) {
         const bool holds = rounded[i].nearest == nearest[i] && is_bounded(rounded[i], exact.x[i], exact.w, scaled.exponent);
         if (!holds) FAIL(test::describe(seed, points));
@@ -105,7 +105,7 @@ TEST_CASE("Next to a tie the nearer double wins", "[exact]") {
     for (const double height : {0.5 - 0x1p-53, 0.5 + 0x1p-52}) {
       const std::array<Vec3d, 9> points{Vec3d{x, 0, 0}, {above, 0, 1}, {0, 0, height}, {1, 0, height}, {0, 1, height}};
       CAPTURE(x, height);
-      CHECK(round_point(construction_of(Kind::LinePlane), points)[0].nearest == (height < 0.5 ? x : above));
+      CHECK(round_point(construction_of(Kind::LinePlane), points).coordinates[0].nearest == (height < 0.5 ? x : above));
     }
   }
 }
@@ -131,7 +131,7 @@ TEST_CASE("Half a unit above the largest double is out of range, less is not", "
   const double max = std::numeric_limits<double>::max(), below = 0x1.ffffffffffffep1023;
   const auto at = [&](double height) {
     const std::array<Vec3d, 9> points{Vec3d{below, 0, 0}, {max, 0, 1}, {0, 0, height}, {1, 0, height}, {0, 1, height}};
-    return round_point(construction_of(Kind::LinePlane), points)[0].nearest;
+    return round_point(construction_of(Kind::LinePlane), points).coordinates[0].nearest;
   };
   CHECK(at(1.25) == max);
   CHECK(at(1.5 - 0x1p-52) == max);

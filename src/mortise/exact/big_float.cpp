@@ -42,6 +42,20 @@ void subtract_limbs(std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
   }
 }
 
+/// Sums of doubles far apart are mostly zeros.
+std::size_t count_nonzero(const LimbArray& a) { return a.size() - static_cast<std::size_t>(std::count(a.begin(), a.end(), 0U)); }
+
+/// Adds factor * b to the digits from `a` on; the one after the last of b is still zero.
+void add_product(std::uint32_t* a, std::uint32_t factor, const LimbArray& b) {
+  std::uint64_t carry = 0;
+  for (const std::uint32_t limb : b) {
+    carry += std::uint64_t{factor} * limb + *a;
+    *a++ = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+  *a = static_cast<std::uint32_t>(carry);
+}
+
 }  // namespace
 
 BigFloat::BigFloat(double x) : BigFloat(x > 0 ? 1 : x < 0 ? -1 : 0, 0, x == 0 ? 0 : 3) {
@@ -141,17 +155,13 @@ BigFloat BigFloat::sum(const BigFloat& a, const BigFloat& b, int sign_of_b) {
 BigFloat operator*(const BigFloat& a, const BigFloat& b) {
   if (a.sign_ == 0 || b.sign_ == 0) return BigFloat();
   BigFloat result(a.sign_ * b.sign_, a.exponent_ + b.exponent_, std::size_t{a.limbs_.size()} + b.limbs_.size());
+  const bool is_a_sparser = count_nonzero(a.limbs_) <= count_nonzero(b.limbs_);
+  const LimbArray& sparse = is_a_sparser ? a.limbs_ : b.limbs_;
+  const LimbArray& dense = is_a_sparser ? b.limbs_ : a.limbs_;
   std::uint32_t* limbs = result.limbs_.begin();
-  std::fill_n(limbs, b.limbs_.size(), 0U);
-  const std::uint32_t* b_limbs = b.limbs_.begin();
-  for (const std::uint32_t a_limb : a.limbs_) {
-    std::uint64_t carry = 0;
-    for (std::uint32_t j = 0; j < b.limbs_.size(); ++j) {
-      carry += std::uint64_t{a_limb} * b_limbs[j] + limbs[j];
-      limbs[j] = static_cast<std::uint32_t>(carry);
-      carry >>= 32;
-    }
-    limbs[b.limbs_.size()] = static_cast<std::uint32_t>(carry);
+  std::fill_n(limbs, result.limbs_.size(), 0U);
+  for (const std::uint32_t limb : sparse) {
+    if (limb != 0) add_product(limbs, limb, dense);
     ++limbs;
   }
   result.trim();

@@ -34,6 +34,7 @@ struct PointSet::Storage {
   std::size_t input_count = 0;
   std::vector<Construction> constructions;
   std::vector<Rounding> roundings;
+  std::vector<std::unique_ptr<const Homogeneous<BigFloat>>> hard;  // coordinates of the points double-double cannot tell from their nearest
 
   [[nodiscard]] bool is_input(PointId p) const { return p.index() < input_count; }
   [[nodiscard]] const Vec3d& position(PointId p) const { return nearest[p.index()]; }
@@ -117,7 +118,8 @@ std::array<Vec3d, 9> PointSet::Storage::defining_points(const Construction& cons
 
 Homogeneous<BigFloat> PointSet::Storage::exact_about(const Vec3d& origin, PointId p) const {
   if (is_input(p)) return {difference<BigFloat>(position(p), origin), BigFloat(1)};
-  return about(origin, base(p), exact_point(construction(p), defining_points(construction(p))));
+  const auto& known = hard[p.index() - input_count];
+  return about(origin, base(p), known ? *known : exact_point(construction(p), defining_points(construction(p))));
 }
 
 bool PointSet::Storage::is_same(PointId p, const Construction& made, const Rounding& made_rounding) const {
@@ -136,13 +138,16 @@ bool PointSet::Storage::is_same(PointId p, const Construction& made, const Round
 }
 
 PointId PointSet::Storage::add_made(const Construction& construction) {
-  const Rounding rounding = round_point(construction, defining_points(construction));
+  RoundedPoint rounded_point = round_point(construction, defining_points(construction));
+  const Rounding& rounding = rounded_point.coordinates;
   const Vec3d key{rounding[0].nearest, rounding[1].nearest, rounding[2].nearest};
   const PointId known = table.find(nearest, key, [&](PointId p) { return is_same(p, construction, rounding); });
   if (known.is_valid()) return known;
   nearest.push_back(key);
   constructions.push_back(construction);
   roundings.push_back(rounding);
+  const bool is_nearest = all_of(rounding, [](const RoundedCoordinate& r) { return r.side == Sign::Zero; });
+  hard.push_back(is_nearest ? nullptr : std::move(rounded_point.exact));
   table.insert_last(nearest);
   return PointId(nearest.size() - 1);
 }

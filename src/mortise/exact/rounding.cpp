@@ -95,18 +95,18 @@ Homogeneous<BigFloat> exact_point(const Construction& construction, const std::a
   return with_positive_w(homogeneous_point<BigFloat>(construction, points));
 }
 
-std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
-  std::array<RoundedCoordinate, 3> result;
+RoundedPoint round_point(const Construction& construction, const std::array<Vec3d, 9>& points) {
+  RoundedPoint result;
   const Homogeneous<DoubleDouble> near = homogeneous_point<DoubleDouble>(construction, points);
-  std::optional<Homogeneous<BigFloat>> exact;
   for (std::size_t i = 0; i < 3; ++i) {
+    RoundedCoordinate& coordinate = result.coordinates[i];
     if (const auto shared = shared_coordinate(construction, points, i)) {
-      result[i].nearest = *shared == 0 ? 0 : *shared;
+      coordinate.nearest = *shared == 0 ? 0 : *shared;
     } else if (const auto rounded = round_certainly(points[0][i], near.offset[i] / near.w)) {
-      result[i] = *rounded;
+      coordinate = *rounded;
     } else {
-      if (!exact) exact = exact_point(construction, points);
-      result[i] = round_exactly(points[0][i], exact->offset[i], exact->w);
+      if (!result.exact) result.exact = std::make_unique<const Homogeneous<BigFloat>>(exact_point(construction, points));
+      coordinate = round_exactly(points[0][i], result.exact->offset[i], result.exact->w);
     }
   }
   return result;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 
 #include "mortise/exact/big_float.h"
 #include "mortise/exact/construction.h"
@@ -41,8 +42,14 @@ template <class T>
 /// @throws Error{InternalError} if the construction has no point (w = 0)
 [[nodiscard]] Homogeneous<BigFloat> exact_point(const Construction& construction, const std::array<Vec3d, 9>& points);
 
+/// A made point in doubles, and exactly where double-double was not enough to round it.
+struct RoundedPoint {
+  std::array<RoundedCoordinate, 3> coordinates;
+  std::unique_ptr<const Homogeneous<BigFloat>> exact;
+};
+
 /// @throws Error{OutOfRange} if a coordinate does not fit a double; Error{InternalError} as exact_point
-[[nodiscard]] std::array<RoundedCoordinate, 3> round_point(const Construction& construction, const std::array<Vec3d, 9>& points);
+[[nodiscard]] RoundedPoint round_point(const Construction& construction, const std::array<Vec3d, 9>& points);
 
 /// The nearest doubles of base + offset / w, w of any sign but not zero.
 /// @throws Error{OutOfRange} if a coordinate does not fit a double
