@@ -73,6 +73,22 @@ TEST_CASE("a made vertex next to an input vertex becomes it, and the triangles b
   CHECK(std::count(repair.merged.is_repaired.begin(), repair.merged.is_repaired.end(), 1) == 2);
 }
 
+TEST_CASE("made vertices on the same doubles become one without any failure, input vertices are left alone") {
+  Repair repair(split_box({0.25, 0.25, 0}));
+  merge_equal_vertices(repair.faces, repair.merged);
+  CHECK(fault_of(repair.merged) == "");
+  CHECK(repair.merged.mesh.points.size() == 10);  // the one at 0 and the corner are not both made
+  CHECK(repair.merged.mesh.triangles.size() == 16);
+  CHECK(repair.merged.repair_displacement == 0);
+}
+
+TEST_CASE("where no made vertices are on the same doubles, nothing is repaired") {
+  Repair repair(split_box({0.25, 0.5}));
+  merge_equal_vertices(repair.faces, repair.merged);
+  CHECK(repair.merged.mesh.points.size() == 10);
+  CHECK(repair.merged.facets_before_repair.empty());
+}
+
 TEST_CASE("two made vertices become the first of them") {
   Repair repair(split_box({0.5, 0.5 + 0x1p-50}));
   REQUIRE(repair.run());

@@ -10,23 +10,20 @@
 #include "mortise/geom/box_tree.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/find_self_crossings.h"
+#include "mortise/mesh/order_round_edge.h"
 
 namespace mortise {
 namespace {
 
 struct ResultEdge {
   std::uint64_t key;
-  FaceId triangle;
+  HalfEdge half_edge;
 
-  bool operator<(const ResultEdge& other) const { return key != other.key ? key < other.key : triangle < other.triangle; }
+  bool operator<(const ResultEdge& other) const { return key != other.key ? key < other.key : half_edge < other.half_edge; }
 };
 
-// A triangle at an edge u -> v, in the doubles of the result.
-struct TriangleAtEdge {
-  FaceId triangle;
-  Vec3d apex;
-  bool is_forward;
-};
+// The same for both orders of two numbers.
+std::uint64_t unordered_key(std::uint32_t a, std::uint32_t b) { return (std::uint64_t{std::min(a, b)} << 32U) | std::max(a, b); }
 
 class Certifier {
  public:
@@ -119,6 +116,7 @@ class Certifier {
         if (other == t || (is_moved_[i] != 0 && other < t)) return;
         ++result_.certificate.pairs_tested;
         if (!triangles_meet_beyond_shared(mesh_, t, other)) return;
+        meeting_.push_back(unordered_key(t.value, other.value));
         if (is_inherited(t, other)) {
           ++result_.certificate.inherited_pairs;
         } else {
@@ -130,13 +128,14 @@ class Certifier {
 
   // Edges of the result with more than two triangles, one of which moved.
   void test_order_round_edges() {
+    std::sort(meeting_.begin(), meeting_.end());
     std::vector<ResultEdge> edges;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       for (std::size_t i = 0; i < 3; ++i) {
         const VertexId u = mesh_.triangles[t][i];
         const VertexId v = mesh_.triangles[t][(i + 1) % 3];
         if (touches_moved_[u.index()] == 0 || touches_moved_[v.index()] == 0) continue;
-        edges.push_back({(std::uint64_t{std::min(u, v).value} << 32U) | std::max(u, v).value, FaceId(t)});
+        edges.push_back({unordered_key(u.value, v.value), HalfEdge(3 * t + i)});
       }
     }
     std::sort(edges.begin(), edges.end());
@@ -151,37 +150,30 @@ class Certifier {
   void test_order(std::span<const ResultEdge> group) {
     const VertexId u(static_cast<std::uint32_t>(group[0].key >> 32U));
     const VertexId v(static_cast<std::uint32_t>(group[0].key));
-    std::vector<TriangleAtEdge> around;
-    for (const ResultEdge& e : group) around.push_back(at_edge(e.triangle, u, v));
-    sort_round_edge_in_doubles(position(u), position(v), around);
-    const bool is_exact_edge =
-        std::all_of(group.begin(), group.end(), [&](const ResultEdge& e) { return has_exact_edge(e.triangle, u, v); });
-    if (!(is_exact_edge ? is_exact_order(u, v, around) : spaces_follow(around))) fail_all(group);
+    std::vector<HalfEdge> around;
+    for (const ResultEdge& e : group) around.push_back(e.half_edge);
+    if (any_meet(around)) return;  // there may be no order
+    sort_round_edge(mesh_, {u, v}, around);
+    const bool is_exact_edge = std::all_of(around.begin(), around.end(), [&](HalfEdge h) { return has_exact_edge(face_of(h), u, v); });
+    if (is_exact_edge ? is_exact_order(u, v, around) : spaces_follow(u, around)) return;
+    // Which of them are to blame is not known; naming some by their numbers would make repair depend on these.
+    for_each_pair(around, [&](FaceId s, FaceId t) { fail(s, t); });
   }
 
-  // Which of them are to blame is not known; naming some by their numbers would make repair depend on these.
-  void fail_all(std::span<const ResultEdge> group) {
-    for (std::size_t i = 0; i < group.size(); ++i) {
-      for (std::size_t j = i + 1; j < group.size(); ++j) fail(group[i].triangle, group[j].triangle);
+  template <class Visit>
+  static void for_each_pair(std::span<const HalfEdge> around, Visit visit) {
+    for (std::size_t i = 0; i < around.size(); ++i) {
+      for (std::size_t j = i + 1; j < around.size(); ++j) visit(face_of(around[i]), face_of(around[j]));
     }
   }
 
-  [[nodiscard]] TriangleAtEdge at_edge(FaceId t, VertexId u, VertexId v) const {
-    const Triangle& c = triangle(t);
-    std::size_t i = 0;
-    while (i < 2 && (c[i] == u || c[i] == v)) ++i;
-    return {t, position(c[i]), c[(i + 1) % 3] == u};
-  }
-
-  // Counterclockwise looking from v to u, beginning with the first; equal angles keep their order.
-  static void sort_round_edge_in_doubles(const Vec3d& u, const Vec3d& v, std::vector<TriangleAtEdge>& around) {
-    const Vec3d reference = around.front().apex;
-    std::stable_sort(around.begin() + 1, around.end(), [&](const TriangleAtEdge& a, const TriangleAtEdge& b) {
-      const Sign to_a = orient3d(u, v, reference, a.apex);
-      const Sign to_b = orient3d(u, v, reference, b.apex);
-      if (to_a != to_b) return to_a > to_b;
-      return to_a != Sign::Zero && orient3d(u, v, a.apex, b.apex) == Sign::Positive;
+  // Do two of them meet in more than the edge?
+  [[nodiscard]] bool any_meet(std::span<const HalfEdge> around) const {
+    bool any = false;
+    for_each_pair(around, [&](FaceId s, FaceId t) {
+      any = any || std::binary_search(meeting_.begin(), meeting_.end(), unordered_key(s.value, t.value));
     });
+    return any;
   }
 
   [[nodiscard]] bool has_exact_edge(FaceId t, VertexId u, VertexId v) const {
@@ -189,10 +181,10 @@ class Certifier {
     return std::find(c.begin(), c.end(), point_of(u)) != c.end() && std::find(c.begin(), c.end(), point_of(v)) != c.end();
   }
 
-  [[nodiscard]] bool is_exact_order(VertexId u, VertexId v, std::span<const TriangleAtEdge> around) const {
+  [[nodiscard]] bool is_exact_order(VertexId u, VertexId v, std::span<const HalfEdge> around) const {
     std::vector<FacetAtEdge> exact;
-    for (const TriangleAtEdge& t : around) {
-      exact.push_back(facet_at_edge(faces_, facets_, merged_.facet_of_triangle[t.triangle.index()].facet, point_of(u), point_of(v)));
+    for (const HalfEdge h : around) {
+      exact.push_back(facet_at_edge(faces_, facets_, merged_.facet_of_triangle[face_of(h).index()].facet, point_of(u), point_of(v)));
     }
     const std::vector<FacetAtEdge> rounded = exact;
     sort_round_edge(faces_, exact);
@@ -202,14 +194,15 @@ class Certifier {
 
   // Going round, one comes out of a triangle into the space before the next. Where there may be walls, this space is the same
   // seen from both; else one enters and leaves the result in turn.
-  [[nodiscard]] bool spaces_follow(std::span<const TriangleAtEdge> around) const {
+  [[nodiscard]] bool spaces_follow(VertexId u, std::span<const HalfEdge> around) const {
     const Provenance& p = merged_.provenance;
     const bool has_walls = !p.covering_front.empty();
-    const auto agree = [&](const TriangleAtEdge& one, const TriangleAtEdge& next) {
-      if (!has_walls) return one.is_forward != next.is_forward;
-      const auto& after = one.is_forward ? p.covering_front : p.covering;
-      const auto& before = next.is_forward ? p.covering : p.covering_front;
-      return p.space_of(after[one.triangle.index()]) == p.space_of(before[next.triangle.index()]);
+    const auto is_forward = [&](HalfEdge h) { return origin_of(mesh_, h) == u; };
+    const auto agree = [&](HalfEdge one, HalfEdge next) {
+      if (!has_walls) return is_forward(one) != is_forward(next);
+      const auto& after = is_forward(one) ? p.covering_front : p.covering;
+      const auto& before = is_forward(next) ? p.covering : p.covering_front;
+      return p.space_of(after[face_of(one).index()]) == p.space_of(before[face_of(next).index()]);
     };
     for (std::size_t i = 0; i < around.size(); ++i) {
       if (!agree(around[i], around[(i + 1) % around.size()])) return false;
@@ -224,6 +217,7 @@ class Certifier {
   std::vector<std::uint8_t> is_moved_;
   std::vector<std::uint8_t> is_moved_vertex_;
   std::vector<std::uint8_t> touches_moved_;
+  std::vector<std::uint64_t> meeting_;  // tested pairs that meet beyond what they share
   CertifiedMesh result_;
 };
 

@@ -30,6 +30,7 @@ void repair(const OperandFaces& faces, const Facets& facets, double least_reach,
 }  // namespace
 
 RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, const ProgressCallback& progress) {
+  merge_equal_vertices(faces, merged);
   CertifiedMesh certified = certify(faces, facets, merged, progress);
   RoundedResult result{std::move(merged), std::move(certified)};
   repair(faces, facets, 0, progress, result);

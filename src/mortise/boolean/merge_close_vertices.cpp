@@ -17,23 +17,30 @@
 namespace mortise {
 namespace {
 
-// Which vertex stays where two are merged: input vertices first, then by position. The order of operands decides nothing
-// unless two made vertices have the same doubles.
+// Which vertex stays where two are merged: input vertices first, then by position, first in doubles, then exactly. The order of
+// operands decides nothing.
 class Precedence {
  public:
-  Precedence(const OperandFaces& faces, const MergedMesh& merged) : faces_(faces), merged_(merged) {}
+  Precedence(const OperandFaces& faces, const MergedMesh& merged) : points_(faces.points), merged_(merged) {}
 
-  [[nodiscard]] bool is_input(VertexId v) const { return faces_.points.is_input(merged_.point_of_vertex[v.index()]); }
+  [[nodiscard]] bool is_input(VertexId v) const { return points_.is_input(point_of(v)); }
 
   [[nodiscard]] bool operator()(VertexId a, VertexId b) const {
     if (is_input(a) != is_input(b)) return is_input(a);
     const Vec3d& p = merged_.mesh.points[a.index()];
     const Vec3d& q = merged_.mesh.points[b.index()];
-    return std::tie(p.x, p.y, p.z, a) < std::tie(q.x, q.y, q.z, b);
+    if (p != q) return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Sign order = points_.compare(point_of(a), point_of(b), i);
+      if (order != Sign::Zero) return order == Sign::Negative;
+    }
+    return false;
   }
 
  private:
-  const OperandFaces& faces_;
+  [[nodiscard]] PointId point_of(VertexId v) const { return merged_.point_of_vertex[v.index()]; }
+
+  const PointSet& points_;
   const MergedMesh& merged_;
 };
 
@@ -42,38 +49,32 @@ struct ClosePair {
   VertexId a, b;  // a precedes b
 };
 
-// Pairs of different vertices of failed pairs, each once: triangles in a bad place fail with many others.
-std::vector<std::uint64_t> pairs_of_corners(const SurfaceMesh& mesh, std::span<const FailedPair> failed) {
-  std::vector<std::uint64_t> pairs;
-  for (const FailedPair& f : failed) {
-    std::array<VertexId, 6> corners;
-    const auto second = std::copy_n(mesh.triangles[f.a.index()].begin(), 3, corners.begin());
-    std::copy_n(mesh.triangles[f.b.index()].begin(), 3, second);
-    std::sort(corners.begin(), corners.end());
-    const auto end = std::unique(corners.begin(), corners.end());
-    for (auto p = corners.begin(); p != end; ++p) {
-      for (auto q = p + 1; q != end; ++q) pairs.push_back((std::uint64_t{p->value} << 32U) | q->value);
-    }
-  }
-  std::sort(pairs.begin(), pairs.end());
-  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
-  return pairs;
-}
-
+// Pairs of corners of failed pairs no farther apart than their reach, each once: triangles in a bad place fail with many others.
 std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Precedence& precedes, std::span<const FailedPair> failed,
                                         double least_reach) {
   std::vector<ClosePair> pairs;
-  for (const std::uint64_t key : pairs_of_corners(merged.mesh, failed)) {
-    VertexId a(static_cast<std::uint32_t>(key >> 32U)), b(static_cast<std::uint32_t>(key));
+  const auto add = [&](VertexId a, VertexId b) {
     if (precedes(b, a)) std::swap(a, b);
     const Vec3d& p = merged.mesh.points[a.index()];
     const double distance = length(merged.mesh.points[b.index()] - p);
     if (distance <= std::max(repair_reach(p), least_reach)) pairs.push_back({distance, a, b});
+  };
+  for (const FailedPair& f : failed) {
+    std::array<VertexId, 6> corners;
+    const auto second = std::copy_n(merged.mesh.triangles[f.a.index()].begin(), 3, corners.begin());
+    std::copy_n(merged.mesh.triangles[f.b.index()].begin(), 3, second);
+    std::sort(corners.begin(), corners.end());
+    const auto end = std::unique(corners.begin(), corners.end());
+    for (auto p = corners.begin(); p != end; ++p) {
+      for (auto q = p + 1; q != end; ++q) add(*p, *q);
+    }
   }
   std::sort(pairs.begin(), pairs.end(), [&](const ClosePair& p, const ClosePair& q) {
     if (p.distance != q.distance) return p.distance < q.distance;
     return p.a != q.a ? precedes(p.a, q.a) : precedes(p.b, q.b);
   });
+  const auto is_same = [](const ClosePair& p, const ClosePair& q) { return p.a == q.a && p.b == q.b; };
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
   return pairs;
 }
 
@@ -161,19 +162,38 @@ std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles)
   return remains;
 }
 
+void apply(const Replacement& replacement, MergedMesh& merged) {
+  note_facets_before_repair(merged);
+  replace_corners(replacement, merged);
+  const bool has_walls = !merged.provenance.covering_front.empty();
+  keep_triangles(has_walls ? join_coincident(merged) : find_remaining(merged.mesh.triangles), merged);
+}
+
 }  // namespace
+
+void merge_equal_vertices(const OperandFaces& faces, MergedMesh& merged) {
+  const std::vector<Vec3d>& points = merged.mesh.points;
+  const Precedence precedes(faces, merged);
+  std::vector<VertexId> made;
+  for (std::size_t v = 0; v < points.size(); ++v) {
+    if (!precedes.is_input(VertexId(v))) made.push_back(VertexId(v));
+  }
+  std::sort(made.begin(), made.end(), precedes);
+  Replacement replacement(precedes, points.size());
+  bool any = false;
+  for (std::size_t i = 1; i < made.size(); ++i) {
+    if (points[made[i].index()] == points[made[i - 1].index()]) any |= replacement.merge(made[i - 1], made[i]);
+  }
+  if (any) apply(replacement, merged);
+}
 
 bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
   const Precedence precedes(faces, merged);
   Replacement replacement(precedes, merged.mesh.points.size());
   bool any = false;
   for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, least_reach)) any |= replacement.merge(pair.a, pair.b);
-  if (!any) return false;
-  note_facets_before_repair(merged);
-  replace_corners(replacement, merged);
-  const bool has_walls = !merged.provenance.covering_front.empty();
-  keep_triangles(has_walls ? join_coincident(merged) : find_remaining(merged.mesh.triangles), merged);
-  return true;
+  if (any) apply(replacement, merged);
+  return any;
 }
 
 }  // namespace mortise

@@ -9,6 +9,10 @@
 
 namespace mortise {
 
+/// Merges made vertices that rounding put on the same doubles: whatever uses two of them would fail.
+/// O(n log n) in the made vertices.
+void merge_equal_vertices(const OperandFaces& faces, MergedMesh& merged);
+
 /// Merges made vertices of failed triangles into the nearest vertex there, closest first, made before input; an input vertex
 /// never moves. Triangles that lose a corner go, opposite triangles on the same corners cancel, so every edge stays
 /// balanced (exact-core 5, repair b). The caller certifies again.
