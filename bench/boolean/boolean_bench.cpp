@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size. FILE_B may be
 // `turned`: the first file turned by 90 degrees about y.
-// Prints medians of eleven runs in milliseconds, and how far one call raised the memory of a process of its own.
+// Prints medians of eleven runs (three of the large decks) in milliseconds, and how far one call raised the memory of a process of
+// its own.
 #include <malloc.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -26,8 +27,7 @@ double median(std::vector<double> values) {
   return values[values.size() / 2];
 }
 
-void time_operation(const std::string& name, Operation operation, const SurfaceMesh& a, const SurfaceMesh& b) {
-  constexpr int runs = 11;
+void time_operation(const std::string& name, Operation operation, const SurfaceMesh& a, const SurfaceMesh& b, int runs = 11) {
   std::vector<double> totals;
   std::map<std::string, std::vector<double>> stages;
   std::vector<std::string> order;
@@ -72,12 +72,28 @@ long memory_of_union(const SurfaceMesh& a, const SurfaceMesh& b) {
   return growth;
 }
 
-void time_pair(const std::string& name, const SurfaceMesh& a, const SurfaceMesh& b) {
+void print_memory(const std::string& name, const SurfaceMesh& a, const SurfaceMesh& b) {
   const long kilobytes = memory_of_union(a, b);
   const auto triangles = static_cast<double>(a.triangles.size() + b.triangles.size());
   std::printf("%-34s memory of a union: %ld MB, %.0f bytes per triangle of the operands\n", name.c_str(), kilobytes / 1024,
               1024 * static_cast<double>(kilobytes) / triangles);
+}
+
+void time_pair(const std::string& name, const SurfaceMesh& a, const SurfaceMesh& b) {
+  print_memory(name, a, b);
   for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Subtract}) time_operation(name, operation, a, b);
+}
+
+/// One coplanar cluster: a deck of n x n cells and another one standing on it, moved by a tenth, so that columns of points of both
+/// are an ulp apart.
+void time_decks() {
+  for (const std::uint32_t cells : {50U, 100U, 200U, 350U}) {
+    const SurfaceMesh sheet = make_grid_sheet(1, 1, cells, cells);
+    const SurfaceMesh lower = extrude_to(sheet, -1);
+    const SurfaceMesh upper = extrude_to(transform(sheet, translation({0.1, 0.05, 0})), 1);
+    print_memory("flush decks", lower, upper);
+    time_operation("flush decks", Operation::Union, lower, upper, 3);
+  }
 }
 
 void time_generated() {
@@ -89,6 +105,7 @@ void time_generated() {
   const SurfaceMesh plate = transform(make_box({0, 0, 0}, {1, 1, 1}), scaling({20, 20, 1}));
   time_pair("plate and torus, coplanar rings", plate, transform(make_torus(4, 1, 512, 64), translation({10, 10, 1})));
   time_pair("two boxes sharing a face", make_box({0, 0, 0}, {1, 1, 1}), make_box({1, 0, 0}, {2, 1, 1}));
+  time_decks();
 }
 
 }  // namespace

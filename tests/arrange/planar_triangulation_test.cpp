@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <map>
 #include <random>
+#include <set>
 
 #include "mortise/base/error.h"
 #include "support/catch.h"
@@ -173,6 +174,17 @@ std::size_t edges_against_delaunay(const PlanarTriangulation& triangulation, con
   return count;
 }
 
+/// The cells, each from its first corner in the order of positions.
+std::set<std::array<Position, 3>> cells_by_position(const PlanarTriangulation& triangulation, const std::vector<Position>& p) {
+  std::set<std::array<Position, 3>> result;
+  for (const auto& cell : triangulation.cells()) {
+    std::array<Position, 3> corners{p[cell.corner[0]], p[cell.corner[1]], p[cell.corner[2]]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    result.insert(corners);
+  }
+  return result;
+}
+
 std::vector<Position> grid(std::size_t nu, std::size_t nv) {
   std::vector<Position> p;
   for (std::size_t i = 0; i < nu; ++i) {
@@ -334,6 +346,24 @@ TEST_CASE("points one ulp apart and near a line by one ulp are told apart") {
   triangulation.recover_edge(1, 24);
   CHECK(is_edge(triangulation, 1, 24, true));
   CHECK(fault_of(triangulation, p) == "");
+}
+
+TEST_CASE("two grids whose columns are an ulp apart have one triangulation, whatever the numbers of the points") {
+  std::vector<Position> positions;
+  for (int i = 0; i < 30; ++i) {
+    for (int j = 0; j < 30; ++j) {
+      positions.push_back({i / 30.0, j / 30.0});
+      positions.push_back({(i + 0.5) / 30.0 - 0.5 / 30.0, (j + 0.25) / 30.0});  // about i / 30
+    }
+  }
+  std::sort(positions.begin(), positions.end());
+  positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
+  const PlanarPoints p(positions);
+  const PlanarTriangulation triangulation = p.triangulate();
+  CHECK(fault_of(triangulation, p) == "");
+  const std::vector<Position> backwards(positions.rbegin(), positions.rend());
+  const PlanarPoints q(backwards);
+  CHECK(cells_by_position(triangulation, positions) == cells_by_position(q.triangulate(), backwards));
 }
 
 TEST_CASE("sizes of 2^300 and 2^-300 tile as others do") {

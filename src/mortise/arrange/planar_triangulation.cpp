@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Sweep, swaps and edge recovery over exact turns.
+// Insertion, swaps and edge recovery over exact turns.
 #include "mortise/arrange/planar_triangulation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <string>
 
 #include "mortise/base/error.h"
@@ -13,7 +12,7 @@
 namespace mortise {
 namespace {
 
-constexpr std::size_t next(std::size_t i) { return i == 2 ? 0 : i + 1; }
+constexpr std::uint32_t next(std::size_t i) { return i == 2 ? 0 : static_cast<std::uint32_t>(i) + 1; }
 
 // The two coordinates that a projection keeps, in order.
 constexpr std::array<std::size_t, 2> kept_coordinates(Axis axis) {
@@ -35,33 +34,49 @@ bool is_clearly_in_circle(const std::array<double, 2>& a, const std::array<doubl
   return positive - negative > 1e-12 * size;
 }
 
+// Place along a Hilbert curve through a grid of 2^16 x 2^16 cells over [0, 1] x [0, 1] (Hilbert 1891): what is near on the
+// curve is near in the plane.
+std::uint32_t place_on_curve(const std::array<double, 2>& p) {
+  constexpr std::uint32_t size = 1U << 16U;
+  const auto cell = [](double x) { return static_cast<std::uint32_t>(std::min(std::max(x, 0.0) * size, size - 1.0)); };
+  std::uint32_t x = cell(p[0]), y = cell(p[1]), place = 0;
+  for (std::uint32_t half = size / 2; half > 0; half /= 2) {
+    const bool right = (x & half) != 0, top = (y & half) != 0;
+    place = 4 * place + (right ? (top ? 2 : 3) : (top ? 1 : 0));
+    if (top) continue;
+    if (right) {
+      x = size - 1 - x;
+      y = size - 1 - y;
+    }
+    std::swap(x, y);
+  }
+  return place;
+}
+
 }  // namespace
 
 PlanarTriangulation::PlanarTriangulation(const PointSet& points, Axis axis, std::span<const PointId> vertices,
                                          std::span<const std::uint64_t> lines)
     : points_(points), axis_(axis), vertices_(vertices), lines_(lines) {
-  order_ = sweep_order();
   take_shape();
+  order_ = insertion_order();
   cell_at_.assign(vertices.size(), none);
-  sweep();
-  constexpr std::size_t few_vertices = 24;
-  if (vertices.size() > few_vertices) improve();
+  const std::size_t apex = add_first_cell();
+  for (std::size_t i = 2; i < order_.size(); ++i) {
+    if (i != apex) insert(order_[i]);
+  }
 }
 
 void PlanarTriangulation::take_shape() {
   const auto [u, v] = kept_coordinates(axis_);
-  const Vec3d& origin = points_.nearest(vertices_[order_[0]]);
-  double size = 0;
-  for (const PointId p : vertices_) {
-    const Vec3d offset = points_.nearest(p) - origin;
-    shape_.push_back({offset[u], offset[v]});
-    size = std::max({size, std::fabs(offset[u]), std::fabs(offset[v])});
-  }
+  Box3 box;
+  for (const PointId p : vertices_) box.extend(points_.nearest(p));
+  const Vec3d half_size = 0.5 * box.hi - 0.5 * box.lo;  // the whole size may overflow
   int exponent = 0;
-  std::frexp(size, &exponent);  // the same judgement at every scale
-  for (auto& [x, y] : shape_) {
-    x = std::ldexp(x, -exponent);
-    y = std::ldexp(y, -exponent);
+  std::frexp(std::max(half_size[u], half_size[v]), &exponent);  // the same judgement at every scale
+  for (const PointId p : vertices_) {
+    const Vec3d half_offset = 0.5 * points_.nearest(p) - 0.5 * box.lo;
+    shape_.push_back({std::ldexp(half_offset[u], -exponent), std::ldexp(half_offset[v], -exponent)});
   }
 }
 
@@ -70,16 +85,22 @@ Sign PlanarTriangulation::turn(std::uint32_t a, std::uint32_t b, std::uint32_t c
   return points_.orient2d(vertices_[a], vertices_[b], vertices_[c], axis_);
 }
 
-// ---- sweep ----------------------------------------------------------------------------------------------------------
+// ---- insertion ------------------------------------------------------------------------------------------------------
 
-std::vector<std::uint32_t> PlanarTriangulation::sweep_order() const {
-  std::vector<std::uint32_t> order(vertices_.size());
-  for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
+// Many points along a curve, so that each is next to the one before; few, and those in one cell of the curve, from low to high.
+std::vector<std::uint32_t> PlanarTriangulation::insertion_order() const {
+  const bool is_few = vertices_.size() <= few_vertices;
+  std::vector<std::uint32_t> on_curve(vertices_.size(), 0), order(vertices_.size());
+  for (std::uint32_t v = 0; v < order.size(); ++v) {
+    order[v] = v;
+    if (!is_few) on_curve[v] = place_on_curve(shape_[v]);
+  }
   const auto kept = kept_coordinates(axis_);
   std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
+    if (on_curve[a] != on_curve[b]) return on_curve[a] < on_curve[b];
     if (a == b) return false;
     const Sign first = points_.compare(vertices_[a], vertices_[b], kept[0]);
-    return first != Sign::Zero ? first == Sign::Negative : points_.compare(vertices_[a], vertices_[b], kept[1]) == Sign::Negative;
+    return (first != Sign::Zero ? first : points_.compare(vertices_[a], vertices_[b], kept[1])) == Sign::Negative;
   });
   return order;
 }
@@ -97,83 +118,155 @@ void PlanarTriangulation::link(Side s, Side t) {
   cells_[t.cell].neighbour[t.edge] = s.cell;
 }
 
-// The first points lie on one line, the apex does not: a fan.
-//
-//      apex
-//     / | \ .
-//    /  |  \ .
-//   q0--q1--q2
-void PlanarTriangulation::add_start_cells(const std::vector<std::uint32_t>& order, std::size_t apex, bool is_left) {
-  const std::uint32_t p = order[apex];
-  for (std::size_t i = 0; i + 1 < apex; ++i) {
-    const std::uint32_t a = is_left ? order[i] : order[i + 1];
-    const std::uint32_t b = is_left ? order[i + 1] : order[i];
-    const std::uint32_t cell = add_cell(a, b, p);
-    hull_next_[a] = b;
-    hull_side_[a] = {cell, 0};
-    if (i > 0) link({cell, is_left ? 2U : 1U}, {cell - 1, is_left ? 1U : 2U});
-  }
-  const std::uint32_t last = static_cast<std::uint32_t>(cells_.size()) - 1;
-  const std::uint32_t from = is_left ? order[apex - 1] : order[0];
-  const std::uint32_t to = is_left ? order[0] : order[apex - 1];
-  hull_next_[from] = p;
-  hull_side_[from] = {is_left ? last : 0, 1};
-  hull_next_[p] = to;
-  hull_side_[p] = {is_left ? 0 : last, 2};
-  for (std::uint32_t v = p, n = hull_next_[v];; v = n, n = hull_next_[v]) {
-    hull_previous_[n] = v;
-    if (n == p) break;
-  }
+// What was linked to `before` is linked to side `now` of another cell.
+void PlanarTriangulation::replace_neighbour(std::uint32_t cell, std::uint32_t before, Side now) {
+  cells_[now.cell].neighbour[now.edge] = cell;
+  if (cell == none) return;
+  auto& neighbours = cells_[cell].neighbour;
+  *std::find(neighbours.begin(), neighbours.end(), before) = now.cell;
 }
 
-std::size_t PlanarTriangulation::start_sweep(const std::vector<std::uint32_t>& order) {
-  for (std::size_t apex = 2; apex < order.size(); ++apex) {
-    const Sign s = turn(order[0], order[1], order[apex]);
+// The first two points and the next one that is not on their line; returns its place in the order.
+std::size_t PlanarTriangulation::add_first_cell() {
+  for (std::size_t apex = 2; apex < order_.size(); ++apex) {
+    const Sign s = turn(order_[0], order_[1], order_[apex]);
     if (s == Sign::Zero) continue;
-    add_start_cells(order, apex, s == Sign::Positive);
+    const bool is_left = s == Sign::Positive;
+    last_cell_ = add_cell(order_[is_left ? 0 : 1], order_[is_left ? 1 : 0], order_[apex]);
     return apex;
   }
   MORTISE_CHECK(false, "a planar triangulation whose points lie on one line");
 }
 
-// Joins a point beyond the hull to every hull edge it sees; the point added before it is on the hull and next to one.
-void PlanarTriangulation::add_outside(std::uint32_t previous, std::uint32_t p) {
-  std::uint32_t begin = previous;
-  while (turn(hull_previous_[begin], begin, p) == Sign::Negative) begin = hull_previous_[begin];
-  std::uint32_t end = previous;
-  while (turn(end, hull_next_[end], p) == Sign::Negative) end = hull_next_[end];
-  MORTISE_CHECK(begin != end, "vertex " + std::to_string(vertices_[p].value) + " of a planar triangulation");
-  std::uint32_t before = none;
-  for (std::uint32_t v = begin; v != end; v = hull_next_[v]) {
-    const std::uint32_t cell = add_cell(hull_next_[v], v, p);
-    link({cell, 0}, hull_side_[v]);
-    if (before == none) {
-      hull_side_[begin] = {cell, 1};
-    } else {
-      link({cell, 1}, {before, 2});
-    }
-    before = cell;
+void PlanarTriangulation::insert(std::uint32_t p) {
+  const Place place = locate(p);
+  suspects_.clear();
+  if (place.is_outside) {
+    add_outside(place.side, p);
+  } else if (place.is_on_side) {
+    split_side(place.side, p);
+  } else {
+    split_cell(place.side.cell, p);
   }
-  hull_side_[p] = {before, 2};
-  hull_next_[begin] = p;
-  hull_previous_[p] = begin;
-  hull_next_[p] = end;
-  hull_previous_[end] = p;
+  last_cell_ = cell_at_[p];
+  if (vertices_.size() > few_vertices) swap_suspects();
 }
 
-void PlanarTriangulation::sweep() {
-  hull_next_.assign(order_.size(), none);
-  hull_previous_.assign(order_.size(), none);
-  hull_side_.assign(order_.size(), {none, 0});
-  const std::size_t apex = start_sweep(order_);
-  for (std::size_t i = apex + 1; i < order_.size(); ++i) add_outside(order_[i - 1], order_[i]);
+// Walks towards the point, at each cell beginning with another side: so it cannot go round in a circle for ever (Devillers,
+// Pion and Teillaud 2002).
+PlanarTriangulation::Place PlanarTriangulation::locate(std::uint32_t p) {
+  std::uint32_t cell = last_cell_, from = none;
+  while (true) {
+    walk_state_ = 1664525 * walk_state_ + 1013904223;
+    auto edge = static_cast<std::uint32_t>((std::uint64_t{walk_state_} * 3) >> 32U);
+    Place place{{cell, 0}, false, false};
+    bool is_inside = true;
+    for (int i = 0; i < 3 && is_inside; ++i, edge = next(edge)) {
+      const Cell& c = cells_[cell];
+      if (c.neighbour[edge] == from && from != none) continue;
+      const Sign side = turn(c.corner[edge], c.corner[next(edge)], p);
+      if (side == Sign::Positive) continue;
+      place.side = {cell, edge};
+      place.is_on_side = side == Sign::Zero;
+      is_inside = place.is_on_side;
+    }
+    if (is_inside) return place;
+    if (cells_[cell].neighbour[place.side.edge] == none) return {place.side, true, false};
+    from = cell;
+    cell = cells_[cell].neighbour[place.side.edge];
+  }
+}
+
+// The side of the hull after / before a side of the hull.
+PlanarTriangulation::Side PlanarTriangulation::next_on_hull(Side s) const {
+  const std::uint32_t v = cells_[s.cell].corner[next(s.edge)];
+  for (s.edge = next(s.edge); cells_[s.cell].neighbour[s.edge] != none;) {
+    s.cell = cells_[s.cell].neighbour[s.edge];
+    s.edge = corner_index(s.cell, v);
+  }
+  return s;
+}
+
+PlanarTriangulation::Side PlanarTriangulation::previous_on_hull(Side s) const {
+  const std::uint32_t v = cells_[s.cell].corner[s.edge];
+  for (s.edge = next(next(s.edge)); cells_[s.cell].neighbour[s.edge] != none;) {
+    s.cell = cells_[s.cell].neighbour[s.edge];
+    s.edge = next(next(corner_index(s.cell, v)));
+  }
+  return s;
+}
+
+// Joins a point beyond the hull to every side of the hull it sees; one of them is known.
+void PlanarTriangulation::add_outside(Side seen, std::uint32_t p) {
+  const auto sees = [&](Side s) {
+    const Cell& c = cells_[s.cell];
+    return turn(c.corner[s.edge], c.corner[next(s.edge)], p) == Sign::Negative;
+  };
+  Side first = seen;
+  for (Side s = previous_on_hull(first); sees(s); s = previous_on_hull(s)) first = s;
+  std::vector<Side> sides{first};
+  for (Side s = next_on_hull(first); sees(s); s = next_on_hull(s)) sides.push_back(s);
+  std::uint32_t before = none;
+  for (const Side s : sides) {
+    const Cell& c = cells_[s.cell];
+    const std::uint32_t cell = add_cell(c.corner[next(s.edge)], c.corner[s.edge], p);
+    link({cell, 0}, s);
+    if (before != none) link({cell, 1}, {before, 2});
+    suspects_.push_back({cell, 0});
+    before = cell;
+  }
+}
+
+// Cell (a, b, c) becomes (a, b, p), (b, c, p) and (c, a, p).
+void PlanarTriangulation::split_cell(std::uint32_t cell, std::uint32_t p) {
+  const auto [a, b, c] = cells_[cell].corner;
+  const auto outer = cells_[cell].neighbour;
+  const std::uint32_t bc = add_cell(b, c, p), ca = add_cell(c, a, p);
+  cells_[cell].corner[2] = p;
+  replace_neighbour(outer[1], cell, {bc, 0});
+  replace_neighbour(outer[2], cell, {ca, 0});
+  link({cell, 1}, {bc, 2});
+  link({bc, 1}, {ca, 2});
+  link({ca, 1}, {cell, 2});
+  suspects_.insert(suspects_.end(), {{cell, 0}, {bc, 0}, {ca, 0}});
+}
+
+//        c
+//      / | \ .
+//     a--p--b
+//      \ | /
+//        d
+void PlanarTriangulation::split_side(Side s, std::uint32_t p) {
+  const std::uint32_t other = cells_[s.cell].neighbour[s.edge];
+  const auto [at_a, at_b] = split_from_side(s, p);
+  if (other == none) return;
+  const auto& back = cells_[other].neighbour;
+  const auto edge = static_cast<std::uint32_t>(std::find(back.begin(), back.end(), s.cell) - back.begin());
+  const auto [other_at_b, other_at_a] = split_from_side({other, edge}, p);
+  link({at_a, 1}, {other_at_a, 2});
+  link({at_b, 2}, {other_at_b, 1});
+}
+
+// Cell (a, b, c) with p on its side a - b becomes (c, a, p) and (b, c, p).
+std::array<std::uint32_t, 2> PlanarTriangulation::split_from_side(Side s, std::uint32_t p) {
+  const std::uint32_t a = cells_[s.cell].corner[s.edge];
+  const std::uint32_t b = cells_[s.cell].corner[next(s.edge)];
+  const std::uint32_t c = cells_[s.cell].corner[next(next(s.edge))];
+  const std::uint32_t bc = cells_[s.cell].neighbour[next(s.edge)], ca = cells_[s.cell].neighbour[next(next(s.edge))];
+  const std::uint32_t at_b = add_cell(b, c, p);
+  cells_[s.cell] = {{c, a, p}, {ca, none, none}};
+  for (const std::uint32_t v : {a, c, p}) cell_at_[v] = s.cell;
+  replace_neighbour(bc, s.cell, {at_b, 0});
+  link({s.cell, 2}, {at_b, 1});
+  suspects_.insert(suspects_.end(), {{s.cell, 0}, {at_b, 0}});
+  return {s.cell, at_b};
 }
 
 // ---- walking --------------------------------------------------------------------------------------------------------
 
-std::size_t PlanarTriangulation::corner_index(std::uint32_t cell, std::uint32_t vertex) const {
+std::uint32_t PlanarTriangulation::corner_index(std::uint32_t cell, std::uint32_t vertex) const {
   const auto& c = cells_[cell].corner;
-  return c[0] == vertex ? 0 : c[1] == vertex ? 1 : 2;
+  return c[0] == vertex ? 0U : c[1] == vertex ? 1U : 2U;
 }
 
 // Visits the cells round a vertex until `visit(cell, corner)` answers true.
@@ -271,38 +364,33 @@ PlanarTriangulation::Side PlanarTriangulation::swap(Side s) {
   };
   set(left, {d, c, a}, {Outer{right, 0}, ca, ad});
   set(right, {c, d, b}, {Outer{left, 0}, db, bc});
-  const auto redirect = [&](std::uint32_t cell, std::uint32_t from, std::uint32_t to) {
-    if (cell == none) return;
-    for (std::uint32_t& n : cells_[cell].neighbour) {
-      if (n == from) {
-        n = to;
-        return;
-      }
-    }
-  };
-  redirect(ad.cell, right, left);
-  redirect(bc.cell, left, right);
+  replace_neighbour(ad.cell, right, {left, 2});
+  replace_neighbour(bc.cell, left, {right, 2});
   return {left, 0};
 }
 
 void PlanarTriangulation::improve() {
-  std::deque<Side> queue;
+  suspects_.clear();
   for (std::uint32_t c = 0; c < cells_.size(); ++c) {
     for (std::uint32_t e = 0; e < 3; ++e) {
-      if (cells_[c].neighbour[e] != none && cells_[c].neighbour[e] > c) queue.push_back({c, e});
+      if (cells_[c].neighbour[e] != none && cells_[c].neighbour[e] > c) suspects_.push_back({c, e});
     }
   }
-  std::size_t budget = 32 * queue.size() + 64;  // judged in doubles, swaps might go round in a circle
-  while (!queue.empty() && budget > 0) {
-    const Side s = queue.front();
-    queue.pop_front();
+  swap_suspects();
+}
+
+void PlanarTriangulation::swap_suspects() {
+  std::size_t budget = 32 * suspects_.size() + 64;  // judged in doubles, swaps might go round in a circle
+  while (!suspects_.empty() && budget > 0) {
+    const Side s = suspects_.front();
+    suspects_.pop_front();
     if (!improves(s) || !is_swappable(s)) continue;
     --budget;
     const Side swapped = swap(s);
     const std::uint32_t other = cells_[swapped.cell].neighbour[0];
     for (const std::uint32_t cell : {swapped.cell, other}) {
-      queue.push_back({cell, 1});
-      queue.push_back({cell, 2});
+      suspects_.push_back({cell, 1});
+      suspects_.push_back({cell, 2});
     }
   }
 }

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <span>
 #include <vector>
 
@@ -14,8 +15,9 @@ namespace mortise {
 
 /// Triangulates the convex hull of points of one plane, seen along an axis along which the plane has area.
 ///
-/// Sweep over the points in lexicographic order, swaps towards Delaunay, recovery of edges by swaps of convex pairs. Which
-/// swaps improve the shape is decided in doubles (it decides no topology); which are possible is decided exactly.
+/// Points are inserted one by one along a space-filling curve, with swaps towards Delaunay (Lawson 1977); edges are recovered
+/// by swaps of convex pairs. Which swaps improve the shape is decided in doubles (it decides no topology); which are possible
+/// is decided exactly. O(n log n) for points that doubles can tell apart.
 class PlanarTriangulation {
  public:
   static constexpr std::uint32_t none = 0xffffffffU;
@@ -48,16 +50,29 @@ class PlanarTriangulation {
     std::uint32_t cell, edge;
   };
 
-  [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
-  [[nodiscard]] std::vector<std::uint32_t> sweep_order() const;
+  // Where a point lies: in a cell, on a side or beyond a side of the hull.
+  struct Place {
+    Side side;
+    bool is_outside, is_on_side;
+  };
+  static constexpr std::size_t few_vertices = 24;  // these are swapped once, at the end
+
   void take_shape();
-  void sweep();
-  std::size_t start_sweep(const std::vector<std::uint32_t>& order);
-  void add_outside(std::uint32_t previous, std::uint32_t p);
-  void add_start_cells(const std::vector<std::uint32_t>& order, std::size_t apex, bool is_left);
+  [[nodiscard]] Sign turn(std::uint32_t a, std::uint32_t b, std::uint32_t c) const;
+  [[nodiscard]] std::vector<std::uint32_t> insertion_order() const;
+  std::size_t add_first_cell();
+  void insert(std::uint32_t p);
+  [[nodiscard]] Place locate(std::uint32_t p);
+  void add_outside(Side seen, std::uint32_t p);
+  void split_cell(std::uint32_t cell, std::uint32_t p);
+  void split_side(Side s, std::uint32_t p);
+  std::array<std::uint32_t, 2> split_from_side(Side s, std::uint32_t p);
   std::uint32_t add_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c);
   void link(Side s, Side t);
-  [[nodiscard]] std::size_t corner_index(std::uint32_t cell, std::uint32_t vertex) const;
+  void replace_neighbour(std::uint32_t cell, std::uint32_t before, Side now);
+  [[nodiscard]] Side next_on_hull(Side s) const;
+  [[nodiscard]] Side previous_on_hull(Side s) const;
+  [[nodiscard]] std::uint32_t corner_index(std::uint32_t cell, std::uint32_t vertex) const;
   [[nodiscard]] Side find_side(std::uint32_t a, std::uint32_t b) const;
   [[nodiscard]] Side first_crossed(std::uint32_t a, std::uint32_t b) const;
   template <class Visit>
@@ -65,6 +80,7 @@ class PlanarTriangulation {
   [[nodiscard]] bool is_swappable(Side s) const;
   [[nodiscard]] bool improves(Side s) const;
   Side swap(Side s);
+  void swap_suspects();
   void fix(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] std::vector<std::array<std::uint32_t, 2>> crossed_edges(std::uint32_t a, std::uint32_t b) const;
 
@@ -72,13 +88,14 @@ class PlanarTriangulation {
   Axis axis_;
   std::span<const PointId> vertices_;
   std::span<const std::uint64_t> lines_;
-  std::vector<std::uint32_t> order_;          // of the sweep: vertices by their place in the plane
-  std::vector<std::array<double, 2>> shape_;  // positions in doubles, for judging shape only
+  std::vector<std::array<double, 2>> shape_;  // positions in doubles within [0, 1], for judging shape only
+  std::vector<std::uint32_t> order_;          // of insertion: vertices by their place in the plane
   std::vector<Cell> cells_;
   std::vector<std::uint8_t> fixed_;
   std::vector<std::uint32_t> cell_at_;  // a cell of each vertex
-  std::vector<std::uint32_t> hull_next_, hull_previous_;
-  std::vector<Side> hull_side_;  // inner side of the hull edge from each vertex to its next
+  std::deque<Side> suspects_;           // sides that a swap may improve
+  std::uint32_t last_cell_ = none;      // where the walk to the next point begins
+  std::uint32_t walk_state_ = 0;
 };
 
 }  // namespace mortise
