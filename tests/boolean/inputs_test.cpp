@@ -7,11 +7,15 @@
 #include <map>
 
 #include "boolean/evaluation.h"
+#include "mortise/boolean/evaluate_expression.h"
 #include "mortise/boolean/implant.h"
 #include "mortise/boolean/imprint.h"
+#include "mortise/boolean/keep_faces.h"
+#include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/half_space.h"
 #include "mortise/mesh/measures.h"
+#include "mortise/mesh/slice.h"
 #include "mortise/mesh/topology.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
@@ -113,6 +117,12 @@ std::map<std::string, SurfaceMesh> classes() {
   };
 }
 
+KeepMask mask_of(std::initializer_list<KeepTag> tags) {
+  KeepMask mask = 0;
+  for (const KeepTag tag : tags) mask = static_cast<KeepMask>(mask | static_cast<KeepMask>(tag));
+  return mask;
+}
+
 BooleanResult evaluate_column(const std::string& column, const SurfaceMesh& first, bool is_half_space) {
   static const std::map<std::string, Operation> operations{{"union", Operation::Union},
                                                            {"intersect", Operation::Intersect},
@@ -125,6 +135,9 @@ BooleanResult evaluate_column(const std::string& column, const SurfaceMesh& firs
   if (is_half_space) options.half_spaces = {is_last ? std::size_t{1} : std::size_t{0}};
   const std::vector<const SurfaceMesh*> operands = is_last ? std::vector{&corner, &first} : std::vector{&first, &corner};
   if (column == "imprint") return imprint(operands, options).whole;
+  if (column == "keep outside") return keep_faces(mask_of({KeepTag::FirstOutside, KeepTag::OtherOutside}), operands, options);
+  if (column == "keep inside") return keep_faces(mask_of({KeepTag::FirstInside, KeepTag::OtherInside}), operands, options);
+  if (column == "expression") return evaluate_expression("(a | b) & !(a & b)", operands, options);
   if (column == "implant") return implant(operands, ImplantContact::Keep, options);
   return evaluate_boolean(operations.at(column), operands, options);
 }
@@ -142,11 +155,13 @@ std::string kind_of(const BooleanResult& result) {
 
 std::string outcome(const std::string& column, const std::string& name, const SurfaceMesh& first) {
   try {
-    const BooleanResult result = evaluate_column(column, first, name == "half-space");
+    if (column == "slice") return slice(first, {{0, 0, 1}, 3.25}).polygons.empty() ? "empty" : "polygons";
+    const BooleanResult result = column == "resolve" ? resolve(first) : evaluate_column(column, first, name == "half-space");
     CHECK(result.report.certificate.status == CertificateStatus::Certified);
     CHECK(oracle::self_crossings(result.mesh).empty());
     const std::string kind = kind_of(result);
     const bool keeps_regions = column == "partition" || column == "imprint" || column == "implant";
+    if (column.rfind("keep", 0) == 0 && kind == "regions that are not closed") return "faces";
     return keeps_regions && (kind == "both" || kind == "solid") ? "regions" : kind;
   } catch (const Error& error) {
     if (error.code != ErrorCode::InvalidArgument) CHECK(!error.ids.empty());
