@@ -5,6 +5,7 @@
 #include <array>
 
 #include "mortise/mesh/shapes.h"
+#include "mortise/mesh/weld.h"
 #include "support/boolean_checks.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
@@ -52,4 +53,32 @@ TEST_CASE("repairs of a prism cut by itself moved by one ulp do not depend on th
   for (const Operation operation : {Operation::Union, Operation::Intersect}) {
     CHECK(sorted_faces(evaluate(operation, {plain, shaken}).mesh) == sorted_faces(evaluate(operation, {shaken, plain}).mesh));
   }
+}
+
+TEST_CASE("triangles that rounding laid on each other have no order that could depend on the operands") {
+  const std::vector<std::array<std::size_t, 3>> faces{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                                                      {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  constexpr double half_less = 0.49999999999999994, less = 0.74999999999999989, one_more = 1.0000000000000002;
+  const SurfaceMesh plain = make_mesh({{0.75, 0.25, 1}, {1, 0.25, 0.5}, {0.75, 0.25, 0}, {0.75, 1, 1}, {1, 1, 0.5}, {0.75, 1, 0}}, faces);
+  const SurfaceMesh shaken = make_mesh({{0.75000000000000011, 0.25000000000000006, one_more},
+                                        {0.99999999999999989, 0.25000000000000006, 0.5},
+                                        {less, 0.25, 0},
+                                        {less, one_more, 1},
+                                        {one_more, 1, half_less},
+                                        {less, 1, 0}},
+                                       faces);
+  CHECK(sorted_faces(evaluate(Operation::Union, {plain, shaken}).mesh) == sorted_faces(evaluate(Operation::Union, {shaken, plain}).mesh));
+}
+
+TEST_CASE("a contact of an operand with itself at an edge of another is seen, whatever the order of the operands") {
+  // A wedge glued under a box, with which it shares two vertices but no edge, and a wedge that ends at their common edge.
+  const std::vector<std::array<std::size_t, 3>> faces{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},
+                                                      {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}};
+  const SurfaceMesh under = make_mesh({{3, 0, 1}, {1, 0, -2}, {0, 0, 1}, {3, 1, 1}, {1, 1, -2}, {0, 1, 1}}, faces);
+  const SurfaceMesh glued = weld(joined({under, box({0, 0, 1}, {3, 3, 2})})).mesh;
+  const SurfaceMesh beside = make_mesh({{3, -3, 1}, {3, -1, -1}, {3, 1, 1}, {4, -3, 1}, {4, -1, -1}, {4, 1, 1}}, faces);
+  const BooleanResult forwards = evaluate(Operation::Union, {glued, beside}), backwards = evaluate(Operation::Union, {beside, glued});
+  CHECK(sorted_faces(forwards.mesh) == sorted_faces(backwards.mesh));
+  CHECK(forwards.report.self_contacts == std::vector<std::uint32_t>{0});
+  CHECK(exact_volume(forwards.mesh) == exact_volume(glued) + exact_volume(beside));
 }

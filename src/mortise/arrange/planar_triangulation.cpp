@@ -132,7 +132,8 @@ std::size_t PlanarTriangulation::add_first_cell() {
     const Sign s = turn(order_[0], order_[1], order_[apex]);
     if (s == Sign::Zero) continue;
     const bool is_left = s == Sign::Positive;
-    last_cell_ = add_cell(order_[is_left ? 0 : 1], order_[is_left ? 1 : 0], order_[apex]);
+    add_cell(order_[is_left ? 0 : 1], order_[is_left ? 1 : 0], order_[apex]);
+    last_ = order_[apex];
     return apex;
   }
   MORTISE_CHECK(false, "a planar triangulation whose points lie on one line");
@@ -148,14 +149,32 @@ void PlanarTriangulation::insert(std::uint32_t p) {
   } else {
     split_cell(place.side.cell, p);
   }
-  last_cell_ = cell_at_[p];
+  last_ = p;
   if (vertices_.size() > few_vertices) swap_suspects();
+}
+
+// A side of the hull next to the point inserted last, if that sees the new point; else cell none.
+PlanarTriangulation::Side PlanarTriangulation::seen_beside_last(std::uint32_t p) const {
+  Side hull{none, 0};
+  for_each_cell_at(last_, [&](std::uint32_t cell, std::size_t i) {
+    if (cells_[cell].neighbour[i] == none) hull = {cell, static_cast<std::uint32_t>(i)};
+    return hull.cell != none;
+  });
+  if (hull.cell == none || sees(hull, p)) return hull;
+  hull = previous_on_hull(hull);
+  return sees(hull, p) ? hull : Side{none, 0};
+}
+
+bool PlanarTriangulation::sees(Side hull, std::uint32_t p) const {
+  const Cell& c = cells_[hull.cell];
+  return turn(c.corner[hull.edge], c.corner[next(hull.edge)], p) == Sign::Negative;
 }
 
 // Walks towards the point, at each cell beginning with another side: so it cannot go round in a circle for ever (Devillers,
 // Pion and Teillaud 2002).
 PlanarTriangulation::Place PlanarTriangulation::locate(std::uint32_t p) {
-  std::uint32_t cell = last_cell_, from = none;
+  if (const Side seen = seen_beside_last(p); seen.cell != none) return {seen, true, false};
+  std::uint32_t cell = cell_at_[last_], from = none;
   while (true) {
     walk_state_ = 1664525 * walk_state_ + 1013904223;
     auto edge = static_cast<std::uint32_t>((std::uint64_t{walk_state_} * 3) >> 32U);
@@ -198,14 +217,10 @@ PlanarTriangulation::Side PlanarTriangulation::previous_on_hull(Side s) const {
 
 // Joins a point beyond the hull to every side of the hull it sees; one of them is known.
 void PlanarTriangulation::add_outside(Side seen, std::uint32_t p) {
-  const auto sees = [&](Side s) {
-    const Cell& c = cells_[s.cell];
-    return turn(c.corner[s.edge], c.corner[next(s.edge)], p) == Sign::Negative;
-  };
   Side first = seen;
-  for (Side s = previous_on_hull(first); sees(s); s = previous_on_hull(s)) first = s;
+  for (Side s = previous_on_hull(first); sees(s, p); s = previous_on_hull(s)) first = s;
   std::vector<Side> sides{first};
-  for (Side s = next_on_hull(first); sees(s); s = next_on_hull(s)) sides.push_back(s);
+  for (Side s = next_on_hull(first); sees(s, p); s = next_on_hull(s)) sides.push_back(s);
   std::uint32_t before = none;
   for (const Side s : sides) {
     const Cell& c = cells_[s.cell];

@@ -63,6 +63,8 @@ class PlanarTriangulation {
   std::size_t add_first_cell();
   void insert(std::uint32_t p);
   [[nodiscard]] Place locate(std::uint32_t p);
+  [[nodiscard]] Side seen_beside_last(std::uint32_t p) const;
+  [[nodiscard]] bool sees(Side hull, std::uint32_t p) const;
   void add_outside(Side seen, std::uint32_t p);
   void split_cell(std::uint32_t cell, std::uint32_t p);
   void split_side(Side s, std::uint32_t p);
@@ -94,7 +96,7 @@ class PlanarTriangulation {
   std::vector<std::uint8_t> fixed_;
   std::vector<std::uint32_t> cell_at_;  // a cell of each vertex
   std::deque<Side> suspects_;           // sides that a swap may improve
-  std::uint32_t last_cell_ = none;      // where the walk to the next point begins
+  std::uint32_t last_ = none;           // the vertex inserted last, where the walk to the next one begins
   std::uint32_t walk_state_ = 0;
 };
 

@@ -156,9 +156,11 @@ void judge_operands(const OperandFaces& faces, const Facets& facets, Categories&
   mark_torn_operands(faces, facets, categories, is_torn);
   IdVector<OperandId, std::uint8_t> is_unbalanced(n, 0);
   for (const UnbalancedEdge& e : categories.patches.unbalanced) is_unbalanced[e.operand] = 1;
+  IdVector<OperandId, std::uint8_t> is_stacked(n, 0);
+  for (const OperandId k : categories.patches.stacked) is_stacked[k] = 1;
   for (std::size_t i = 0; i < n; ++i) {
     const OperandId k(i);
-    const bool is_simple = range.lowest[k] == 0 && range.highest[k] <= 1 && is_torn[k] == 0 && is_unbalanced[k] == 0;
+    const bool is_simple = range.lowest[k] == 0 && range.highest[k] <= 1 && is_torn[k] == 0 && is_unbalanced[k] == 0 && is_stacked[k] == 0;
     const bool is_resolved = faces.self_contacts[k] == SelfContacts::All;
     if (!is_simple && !is_resolved) categories.doubtful.push_back(k);
     MORTISE_CHECK(is_torn[k] == 0 || !is_resolved || is_unbalanced[k] != 0, "operand " + std::to_string(i));

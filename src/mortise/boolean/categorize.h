@@ -16,8 +16,8 @@ namespace mortise {
 struct Categories {
   Patches patches;
   std::vector<Seed> seeds;
-  /// Operands that are not as simple as their SelfContacts says: a winding other than 0 and 1, facets out of balance, or
-  /// windings that differ with the way they are reached.
+  /// Operands that are not as simple as their SelfContacts says: a winding other than 0 and 1, facets out of balance or on
+  /// one half-plane of an edge, or windings that differ with the way they are reached.
   /// Their crossings with themselves must be resolved (exact-core 3); empty when the categories are final.
   std::vector<OperandId> doubtful;
   std::vector<OperandId> inside_out;  ///< final operands that enclose nothing but negative winding

@@ -108,6 +108,7 @@ class PatchBuilder {
     std::vector<FacetAtEdge> around;
     for (const FacetEdge& e : group) around.push_back(facet_at_edge(faces_, facets_, e.facet, junction.u, junction.v));
     sort_round_edge(faces_, around);
+    check_half_planes(around);
     patches_.around.insert(patches_.around.end(), around.begin(), around.end());
     patches_.junctions.push_back(junction);
   }
@@ -124,6 +125,17 @@ class PatchBuilder {
     }
     for (std::size_t i = 0; i < sum.size(); ++i) {
       if (sum[i].change != 0) patches_.unbalanced.push_back({sum[i].operand, junction.u, junction.v, count[i].change % 2 != 0});
+    }
+  }
+
+  void check_half_planes(std::span<const FacetAtEdge> around) {
+    const auto check = [&](const FacetAtEdge& a, const FacetAtEdge& b) {
+      const OperandId k = faces_.operand[a.face];
+      if (k == faces_.operand[b.face] && share_half_plane(faces_, a, b)) patches_.stacked.push_back(k);
+    };
+    for (std::size_t i = 1; i < around.size(); ++i) {
+      check(around[0], around[i]);  // those on its half-plane are sorted with the opposite ones
+      if (i > 1) check(around[i - 1], around[i]);
     }
   }
 

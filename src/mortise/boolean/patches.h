@@ -55,6 +55,7 @@ struct Patches {
   std::vector<Junction> junctions;
   std::vector<FacetAtEdge> around;
   std::vector<UnbalancedEdge> unbalanced;
+  std::vector<OperandId> stacked;  ///< operands with facets on one half-plane of a junction: unresolved contacts with themselves
 
   [[nodiscard]] std::span<const FacetAtEdge> facets_round(const Junction& j) const {
     return {around.data() + j.first_facet, j.facet_count};

@@ -78,6 +78,17 @@ void sort_round_edge(const OperandFaces& faces, std::vector<FacetAtEdge>& around
   sort_by_angle(faces, std::span(around).subspan(1), [&](const FacetAtEdge& f) { return turn_between(faces, reference, f); });
 }
 
+bool share_half_plane(const OperandFaces& faces, const FacetAtEdge& a, const FacetAtEdge& b) {
+  if (turn_between(faces, a, b) != Sign::Zero) return false;
+  const auto corner = [&](const FacetAtEdge& f, std::size_t i) { return faces.corner_position(f.face, i); };
+  const Axis axis = *projection_axis(corner(a, 0), corner(a, 1), corner(a, 2));
+  const auto side = [&](const FacetAtEdge& f) {
+    const Sign turn = orient2d(corner(f, 0), corner(f, 1), corner(f, 2), axis);
+    return f.is_forward ? turn : -turn;
+  };
+  return side(a) == side(b);
+}
+
 FacetAtEdge first_after_minus_y(const OperandFaces& faces, std::span<const FacetAtEdge> around) {
   std::vector<FacetAtEdge> sorted(around.begin(), around.end());
   sort_by_angle(faces, sorted, [&](const FacetAtEdge& f) { return -turn_to_minus_y(faces, f); });

@@ -25,8 +25,11 @@ struct FacetAtEdge {
 [[nodiscard]] FacetAtEdge facet_at_edge(const OperandFaces& faces, const Facets& facets, FacetId f, PointId u, PointId v);
 
 /// Sorts the facets counterclockwise round the edge, looking from v to u, beginning with the first.
-/// No two of them lie on the same half-plane.
+/// The order of facets on one half-plane is arbitrary: that of an operand whose contacts with itself are not resolved.
 void sort_round_edge(const OperandFaces& faces, std::vector<FacetAtEdge>& around);
+
+/// Do two facets at one edge lie on the same half-plane?
+[[nodiscard]] bool share_half_plane(const OperandFaces& faces, const FacetAtEdge& a, const FacetAtEdge& b);
 
 /// The first facet met when turning counterclockwise round the edge (looking from v to u) from the half-plane that contains
 /// the direction (0, -1, 0); no facet lies on that half-plane.

@@ -74,7 +74,7 @@ struct PointSet::Storage {
   [[nodiscard]] DoubleDouble near_side_of_plane(const PlanePoints& plane, PointId p) const;
   [[nodiscard]] Sign exact_side_of_plane(const PlanePoints& plane, PointId p) const;
   [[nodiscard]] DoubleDouble near_orient2d(const ThreePoints& points, Axis axis) const;
-  [[nodiscard]] Sign exact_orient2d(const ThreePoints& points, Axis axis) const;
+  [[nodiscard]] Sign exact_orient2d(ThreePoints points, Axis axis) const;
 };
 
 namespace {
@@ -248,12 +248,15 @@ DoubleDouble PointSet::Storage::near_orient2d(const ThreePoints& points, Axis ax
   return determinant(from_first(1, u), from_first(1, v), from_first(2, u), from_first(2, v));
 }
 
-Sign PointSet::Storage::exact_orient2d(const ThreePoints& points, Axis axis) const {
+/// An input point becomes the origin: then two of the three terms vanish.
+Sign PointSet::Storage::exact_orient2d(ThreePoints points, Axis axis) const {
   const auto [u, v] = kept_coordinates(axis);
+  std::rotate(points.begin(), std::find_if(points.begin(), points.end() - 1, [&](PointId p) { return is_input(p); }), points.end());
   const Vec3d& origin = base(points[0]);
-  const Homogeneous<BigFloat> a = exact_about(origin, points[0]);
   const Homogeneous<BigFloat> b = exact_about(origin, points[1]);
   const Homogeneous<BigFloat> c = exact_about(origin, points[2]);
+  if (is_input(points[0])) return determinant(b.offset[u], b.offset[v], c.offset[u], c.offset[v]).sign();
+  const Homogeneous<BigFloat> a = exact_about(origin, points[0]);
   const Triple<BigFloat> bc = cross(Triple<BigFloat>{b.offset[u], b.offset[v], b.w}, Triple<BigFloat>{c.offset[u], c.offset[v], c.w});
   return dot(Triple<BigFloat>{a.offset[u], a.offset[v], a.w}, bc).sign();
 }
