@@ -13,6 +13,7 @@
 #include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
+#include "mortise/io/formats.h"
 #include "mortise/mesh/half_space.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/slice.h"
@@ -93,6 +94,9 @@ std::map<std::string, SurfaceMesh> classes() {
       {"faces twice", joined({unit, unit})},
       {"pair of opposite faces attached", with_faces(fin, {{8, 7, 6}})},
       {"faces without area", with_faces(unit, {{0, 0, 1}, {2, 3, 3}})},
+      {"quads and polygons", read_mesh("OFF\n8 6 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n"
+                                       "4 3 2 1 0\n4 4 5 6 7\n4 0 1 5 4\n4 1 2 6 5\n4 2 3 7 6\n4 3 0 4 7\n",
+                                       "cube.off")},
       {"vertices no face uses", unused},
       {"parts that overlap", joined({unit, box({3, 3, 3}, {6, 6, 6})})},
       {"one part that crosses itself", moved(pentagram_prism(0, 3.5), {2, 2, 0})},

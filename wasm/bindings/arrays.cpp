@@ -36,6 +36,14 @@ std::vector<Triangle> triangles_in_order(std::size_t point_count) {
   return triangles;
 }
 
+std::vector<std::uint8_t> bytes_of_faces(const val& array) {
+  std::vector<std::uint8_t> bytes;
+  if (array.isUndefined()) return bytes;
+  bytes.resize(length_of(array));
+  copy_in<std::uint8_t>(array, bytes);
+  return bytes;
+}
+
 SurfaceMesh unchecked_mesh_in(const val& object) {
   SurfaceMesh mesh;
   const val positions = object["positions"];
@@ -43,11 +51,8 @@ SurfaceMesh unchecked_mesh_in(const val& object) {
   copy_in<double>(positions, {reinterpret_cast<double*>(mesh.points.data()), 3 * mesh.points.size()});
   const val triangles = object["triangles"];
   mesh.triangles = triangles.isUndefined() ? triangles_in_order(mesh.points.size()) : triangles_in(triangles);
-  const val walls = object["walls"];
-  if (!walls.isUndefined()) {
-    mesh.walls.resize(length_of(walls));
-    copy_in<std::uint8_t>(walls, mesh.walls);
-  }
+  mesh.walls = bytes_of_faces(object["walls"]);
+  mesh.diagonals = bytes_of_faces(object["diagonals"]);
   const val labels = object["faceLabels"];
   if (labels.isUndefined()) return mesh;
   mesh.face_labels.resize(length_of(labels));
@@ -87,6 +92,7 @@ val mesh_out(const SurfaceMesh& mesh) {
   object.set("positions", points_out(mesh.points));
   object.set("triangles", copy_out(numbers_of(mesh.triangles)));
   if (!mesh.walls.empty()) object.set("walls", copy_out(mesh.walls));
+  if (!mesh.diagonals.empty()) object.set("diagonals", copy_out(mesh.diagonals));
   if (mesh.face_labels.empty()) return object;
   object.set("faceLabels", copy_out(mesh.face_labels));
   object.set("labelNames", strings_out(mesh.label_names));

@@ -96,15 +96,18 @@ function checkLabels(mesh, faceCount, name) {
 }
 
 /**
+ * A byte per triangle.
  * @param {any} mesh
+ * @param {'walls' | 'diagonals'} key
  * @param {number} faceCount
  * @param {string} name
  */
-function checkWalls({ walls }, faceCount, name) {
-  if (walls === undefined) return {};
-  if (!(walls instanceof Uint8Array)) throw invalidArgument(`${name}.walls must be a Uint8Array, not ${describe(walls)}`);
-  if (walls.length !== faceCount) throw invalidArgument(`${name}.walls has ${walls.length} entries for ${faceCount} triangles`);
-  return { walls };
+function checkBytes(mesh, key, faceCount, name) {
+  const bytes = mesh[key];
+  if (bytes === undefined) return {};
+  if (!(bytes instanceof Uint8Array)) throw invalidArgument(`${name}.${key} must be a Uint8Array, not ${describe(bytes)}`);
+  if (bytes.length !== faceCount) throw invalidArgument(`${name}.${key} has ${bytes.length} entries for ${faceCount} triangles`);
+  return { [key]: bytes };
 }
 
 /**
@@ -135,7 +138,8 @@ function checkNames(names, name) {
  * @param {string} name
  */
 function checkMarks(mesh, faceCount, name) {
-  return { ...checkLabels(mesh, faceCount, name), ...checkWalls(mesh, faceCount, name) };
+  const bytes = { ...checkBytes(mesh, 'walls', faceCount, name), ...checkBytes(mesh, 'diagonals', faceCount, name) };
+  return { ...checkLabels(mesh, faceCount, name), ...bytes };
 }
 
 /**

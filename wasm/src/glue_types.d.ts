@@ -16,6 +16,7 @@ export interface CheckedMesh {
   faceLabels?: Uint32Array;
   labelNames?: string[];
   walls?: Uint8Array;
+  diagonals?: Uint8Array;
 }
 
 /** A mesh, or all behind a plane. */

@@ -15,6 +15,11 @@ export interface Mesh {
    * where they need them, so that these can be operands again; PLY files keep them, others do not.
    */
   walls?: Uint8Array;
+  /**
+   * One per triangle: bit k is set when the edge from corner k to the next is inside a polygon that was triangulated. Files of polygons are
+   * read so; polygons that an operation left whole are written as polygons again.
+   */
+  diagonals?: Uint8Array;
 }
 
 /** What every function takes for a mesh. Without `triangles`, every three vertices are a triangle. Never changed. */
@@ -24,6 +29,7 @@ export interface MeshInput {
   faceLabels?: Uint32Array | ArrayLike<number>;
   labelNames?: readonly string[];
   walls?: Uint8Array;
+  diagonals?: Uint8Array;
 }
 
 /**

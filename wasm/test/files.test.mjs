@@ -53,6 +53,19 @@ test('bytes may be a Uint8Array, a part of one, an ArrayBuffer or a Blob', async
   for (const source of sources) assert.equal((await readMesh(source)).triangles.length, 36);
 });
 
+test('polygons an operation leaves whole are written as they were read', async () => {
+  const faces = ['4 3 2 1 0', '4 4 5 6 7', '4 0 1 5 4', '4 1 2 6 5', '4 2 3 7 6', '4 3 0 4 7'];
+  const text = `OFF\n8 6 0\n0 0 0\n4 0 0\n4 4 0\n0 4 0\n0 0 4\n4 0 4\n4 4 4\n0 4 4\n${faces.join('\n')}\n`;
+  const box = await readMesh(new TextEncoder().encode(text), { name: 'box.off' });
+  assert.equal(box.triangles.length, 36);
+  assert.equal(box.diagonals.length, 12);
+  const { mesh } = await subtract(box, await make('box', { lo: [3, 3, 3], hi: [5, 5, 5] }));
+  const written = new TextDecoder().decode(await writeMesh(mesh, { format: 'off' })).split('\n');
+  assert.deepEqual(written.filter((line) => line.startsWith('4 ')).slice(-3), [faces[0], faces[2], '4 3 0 4 6'], 'vertex 6 is cut off');
+  await assert.rejects(subtract({ ...box, diagonals: new Uint8Array(3) }, box), { code: 'INVALID_ARGUMENT' });
+  await assert.rejects(subtract({ ...box, diagonals: box.diagonals.map(() => 8) }, box), { code: 'INVALID_ARGUMENT' });
+});
+
 test('groups of an OBJ become labels and are written again', async () => {
   const text = 'o left\nv 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3\no right\nf 1 2 4\n';
   const mesh = await readMesh(new TextEncoder().encode(text), { name: 'two.obj' });

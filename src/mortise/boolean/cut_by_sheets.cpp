@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mortise/boolean/keep_triangles.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_cells.h"
 
 namespace mortise {
@@ -54,7 +55,7 @@ class SheetCut {
     for (std::size_t t = 0; t < is_kept.size(); ++t) {
       const bool is_inside_behind = is_inside_[cells_.behind[t]] != 0, is_inside_in_front = is_inside_[cells_.in_front[t]] != 0;
       is_kept[t] = is_inside_behind != is_inside_in_front ? 1 : 0;
-      if (is_kept[t] != 0 && is_inside_in_front) turn_over(t);
+      if (is_kept[t] != 0 && is_inside_in_front) turn_facet_over(t);
       merged_.facet_of_triangle[t].is_wall = false;
     }
     merged_.mesh.walls.clear();
@@ -62,8 +63,8 @@ class SheetCut {
     keep_triangles(is_kept, merged_);
   }
 
-  void turn_over(std::size_t t) {
-    std::swap(merged_.mesh.triangles[t][1], merged_.mesh.triangles[t][2]);
+  void turn_facet_over(std::size_t t) {
+    turn_over(FaceId(t), merged_.mesh);
     KeptFacet& kept = merged_.facet_of_triangle[t];
     kept.is_flipped = !kept.is_flipped;
     std::swap(kept.inside, kept.outside);

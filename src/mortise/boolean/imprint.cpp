@@ -49,7 +49,7 @@ class OperandReader {
     for (const OperandTriangle& t : triangles) add(t, given);
     for (const std::uint32_t id : result_.vertex_ids) number_[id] = VertexId();
     result_.mesh.label_names = given.label_names;
-    for (const OperandTriangle& t : triangles) append_face_marks(given, FaceId(t.face), result_.mesh);
+    for (std::size_t i = 0; i < triangles.size(); ++i) add_marks(FaceId(i), FaceId(triangles[i].face), given);
     return std::move(result_);
   }
 
@@ -78,6 +78,18 @@ class OperandReader {
     result_.facet_ids.push_back(t.facet);
     result_.source_face.push_back(t.face);
     result_.category.push_back(t.category);
+  }
+
+  void add_marks(FaceId f, FaceId source, const SurfaceMesh& given) {
+    append_face_marks(given, source, result_.mesh);
+    if (given.diagonals.empty()) return;
+    std::uint8_t& bits = result_.mesh.diagonals.back();
+    bits = diagonals_from(positions_of(given, source), bits, positions_of(result_.mesh, f));
+  }
+
+  static std::array<Vec3d, 3> positions_of(const SurfaceMesh& mesh, FaceId f) {
+    const Triangle& t = mesh.triangles[f.index()];
+    return {mesh.points[t[0].index()], mesh.points[t[1].index()], mesh.points[t[2].index()]};
   }
 
   // A vertex of the operand is a corner of one of the faces round it.

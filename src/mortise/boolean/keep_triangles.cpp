@@ -49,6 +49,7 @@ std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kep
   keep_marked(mesh.triangles, is_kept);
   keep_marked(mesh.face_labels, is_kept);
   keep_marked(mesh.walls, is_kept);
+  keep_marked(mesh.diagonals, is_kept);
   keep_marked(provenance.source_operand, is_kept);
   keep_marked(provenance.source_face, is_kept);
   keep_marked(provenance.flipped, is_kept);

@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "mortise/mesh/face_marks.h"
+
 namespace mortise {
 namespace {
 
@@ -129,6 +131,21 @@ void add_labels(std::span<const SurfaceMesh* const> operands, MergedMesh& merged
   }
 }
 
+// The diagonals of faces that came through whole.
+void add_diagonals(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets, MergedMesh& merged) {
+  if (std::all_of(operands.begin(), operands.end(), [](const SurfaceMesh* m) { return m->diagonals.empty(); })) return;
+  for (std::size_t t = 0; t < merged.mesh.triangles.size(); ++t) {
+    const auto& diagonals = operands[merged.provenance.source_operand[t]]->diagonals;
+    const std::uint8_t bits = diagonals.empty() ? std::uint8_t{0} : diagonals[merged.provenance.source_face[t]];
+    const SourceId face = facets.sources_of(merged.facet_of_triangle[t].facet).front().face;
+    PlanePoints corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = merged.point_of_vertex[merged.mesh.triangles[t][i].index()];
+    merged.mesh.diagonals.push_back(diagonals_from(faces.corners[face], bits, corners));
+  }
+  const auto& bits = merged.mesh.diagonals;
+  if (std::all_of(bits.begin(), bits.end(), [](std::uint8_t b) { return b == 0; })) merged.mesh.diagonals.clear();
+}
+
 }  // namespace
 
 MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets,
@@ -152,6 +169,7 @@ MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFace
   if (selection.keeps_walls) add_walls(merged);
   add_vertex_sources(faces, merged);
   add_labels(operands, merged);
+  add_diagonals(operands, faces, facets, merged);
   return merged;
 }
 

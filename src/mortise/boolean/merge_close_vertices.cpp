@@ -13,6 +13,7 @@
 #include "mortise/boolean/keep_triangles.h"
 #include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
+#include "mortise/mesh/face_marks.h"
 
 namespace mortise {
 namespace {
@@ -112,6 +113,7 @@ void replace_corners(const Replacement& replacement, MergedMesh& merged) {
       const double distance = length(merged.mesh.points[other.index()] - merged.mesh.points[v.index()]);
       merged.repair_displacement = std::max(merged.repair_displacement, distance);
       merged.is_repaired[t] = 1;
+      forget_diagonals(FaceId(t), merged.mesh);
       v = other;
     }
   }

@@ -151,8 +151,8 @@ class SliverSwapper {
     const auto at = static_cast<std::size_t>(std::find(c.begin(), c.end(), v) - c.begin());
     const bool runs_against = c[(at + 1) % 3] == u;
     copy_row(slot, n);
-    mesh_.triangles[slot.index()] = runs_against ? Triangle{a, u, w} : Triangle{a, w, u};
-    mesh_.triangles[n.index()] = runs_against ? Triangle{w, v, a} : Triangle{w, a, v};
+    set_corners(slot, runs_against ? Triangle{a, u, w} : Triangle{a, w, u}, mesh_);
+    set_corners(n, runs_against ? Triangle{w, v, a} : Triangle{w, a, v}, mesh_);
     merged_.is_repaired[slot.index()] = merged_.is_repaired[n.index()] = 1;
     swapped_.push_back(n);
   }

@@ -9,6 +9,7 @@
 #include "mortise/io/obj_faces.h"
 #include "mortise/io/polygon_soup.h"
 #include "mortise/io/text.h"
+#include "mortise/mesh/polygons.h"
 
 namespace mortise {
 namespace {
@@ -161,12 +162,14 @@ std::string write_obj(const SurfaceMesh& mesh) {
     append_point(text, point);
     text += '\n';
   }
-  for (std::size_t face = 0; face < mesh.triangles.size(); ++face) {
-    if (!mesh.face_labels.empty() && (face == 0 || mesh.face_labels[face] != mesh.face_labels[face - 1])) {
-      text.append("g ").append(one_line_name(mesh.label_names[mesh.face_labels[face]])).append("\n");
+  const Polygons polygons = find_polygons(mesh);
+  const auto label_of = [&](std::size_t i) { return mesh.face_labels[polygons.first_triangle[i].index()]; };
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    if (!mesh.face_labels.empty() && (i == 0 || label_of(i) != label_of(i - 1))) {
+      text.append("g ").append(one_line_name(mesh.label_names[label_of(i)])).append("\n");
     }
     text += 'f';
-    for (const VertexId vertex : mesh.triangles[face]) text.append(" ").append(std::to_string(std::uint64_t{vertex.value} + 1));
+    for (const VertexId vertex : polygons.corners_of(i)) text.append(" ").append(std::to_string(std::uint64_t{vertex.value} + 1));
     text += '\n';
   }
   return text;

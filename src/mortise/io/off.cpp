@@ -6,6 +6,7 @@
 #include "mortise/base/numbers.h"
 #include "mortise/io/polygon_soup.h"
 #include "mortise/io/text.h"
+#include "mortise/mesh/polygons.h"
 
 namespace mortise {
 namespace {
@@ -88,14 +89,16 @@ SurfaceMesh read_off(std::string_view text) {
 }
 
 std::string write_off(const SurfaceMesh& mesh) {
-  std::string text = "OFF\n" + std::to_string(mesh.points.size()) + " " + std::to_string(mesh.triangles.size()) + " 0\n";
+  const Polygons polygons = find_polygons(mesh);
+  std::string text = "OFF\n" + std::to_string(mesh.points.size()) + " " + std::to_string(polygons.size()) + " 0\n";
   for (const Vec3d& point : mesh.points) {
     append_point(text, point);
     text += '\n';
   }
-  for (const Triangle& triangle : mesh.triangles) {
-    text += '3';
-    for (const VertexId vertex : triangle) text.append(" ").append(std::to_string(vertex.value));
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const auto corners = polygons.corners_of(i);
+    text += std::to_string(corners.size());
+    for (const VertexId vertex : corners) text.append(" ").append(std::to_string(vertex.value));
     text += '\n';
   }
   return text;

@@ -10,6 +10,7 @@
 #include "mortise/io/ply_header.h"
 #include "mortise/io/polygon_soup.h"
 #include "mortise/io/text.h"
+#include "mortise/mesh/polygons.h"
 
 namespace mortise {
 namespace {
@@ -248,11 +249,20 @@ PolygonSoup read_rows(Rows rows, const std::vector<Table>& tables, std::size_t b
 
 // ---- Writing --------------------------------------------------------------------------------------------------------
 
-std::string header_text(const SurfaceMesh& mesh, std::string_view encoding) {
+constexpr std::size_t most_corners_in_byte = 255;
+
+std::size_t most_corners(const Polygons& polygons) {
+  std::size_t most = 0;
+  for (std::size_t i = 0; i < polygons.size(); ++i) most = std::max(most, polygons.corners_of(i).size());
+  return most;
+}
+
+std::string header_text(const SurfaceMesh& mesh, const Polygons& polygons, std::string_view encoding) {
   std::string text = "ply\nformat ";
   text.append(encoding).append(" 1.0\ncomment Mortise\nelement vertex ").append(std::to_string(mesh.points.size()));
   text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
-  text.append(std::to_string(mesh.triangles.size())).append("\nproperty list uchar int vertex_indices\n");
+  text.append(std::to_string(polygons.size())).append("\nproperty list ");
+  text.append(most_corners(polygons) > most_corners_in_byte ? "int" : "uchar").append(" int vertex_indices\n");
   if (!mesh.walls.empty()) text += "property uchar wall\n";
   text += "end_header\n";
   return text;
@@ -278,30 +288,38 @@ bool is_ascii_ply(std::string_view bytes) {
 }
 
 std::string write_ply_ascii(const SurfaceMesh& mesh) {
-  std::string text = header_text(mesh, "ascii");
+  const Polygons polygons = find_polygons(mesh);
+  std::string text = header_text(mesh, polygons, "ascii");
   for (const Vec3d& point : mesh.points) {
     append_point(text, point);
     text += '\n';
   }
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    text += '3';
-    for (const VertexId vertex : mesh.triangles[f]) text.append(" ").append(std::to_string(vertex.value));
-    if (!mesh.walls.empty()) text += mesh.walls[f] != 0 ? " 1" : " 0";
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    text += std::to_string(polygons.corners_of(i).size());
+    for (const VertexId vertex : polygons.corners_of(i)) text.append(" ").append(std::to_string(vertex.value));
+    if (!mesh.walls.empty()) text += mesh.walls[polygons.first_triangle[i].index()] != 0 ? " 1" : " 0";
     text += '\n';
   }
   return text;
 }
 
 std::string write_ply_binary(const SurfaceMesh& mesh) {
-  std::string bytes = header_text(mesh, "binary_little_endian");
+  const Polygons polygons = find_polygons(mesh);
+  const bool has_long_lists = most_corners(polygons) > most_corners_in_byte;
+  std::string bytes = header_text(mesh, polygons, "binary_little_endian");
   bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 14);
   for (const Vec3d& point : mesh.points) {
     for (std::size_t i = 0; i < 3; ++i) append_little_endian(bytes, point[i]);
   }
-  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
-    append_little_endian(bytes, std::uint8_t{3});
-    for (const VertexId vertex : mesh.triangles[f]) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
-    if (!mesh.walls.empty()) append_little_endian(bytes, mesh.walls[f]);
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    const auto corners = polygons.corners_of(i);
+    if (has_long_lists) {
+      append_little_endian(bytes, static_cast<std::int32_t>(corners.size()));
+    } else {
+      append_little_endian(bytes, static_cast<std::uint8_t>(corners.size()));
+    }
+    for (const VertexId vertex : corners) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
+    if (!mesh.walls.empty()) append_little_endian(bytes, mesh.walls[polygons.first_triangle[i].index()]);
   }
   return bytes;
 }

@@ -17,6 +17,26 @@ void drop_repeated_corners(std::vector<VertexId>& polygon) {
   while (polygon.size() > 1 && polygon.front() == polygon.back()) polygon.pop_back();
 }
 
+using PolygonTriangle = std::array<std::uint32_t, 3>;
+
+/// A triangle at corner 0 becomes the first one and begins there, so that the polygon can be found again as it was.
+void begin_with_first_corner(std::vector<PolygonTriangle>& triangles) {
+  const auto at_first = [](const PolygonTriangle& t) { return std::find(t.begin(), t.end(), 0U) != t.end(); };
+  std::swap(triangles.front(), *std::find_if(triangles.begin(), triangles.end(), at_first));
+  PolygonTriangle& t = triangles.front();
+  std::rotate(t.begin(), std::find(t.begin(), t.end(), 0U), t.end());
+}
+
+/// Which edges join corners that are not neighbours in a polygon of n corners.
+std::uint8_t diagonals_of(const PolygonTriangle& t, std::size_t n) {
+  std::uint8_t bits = 0;
+  for (unsigned k = 0; k < 3; ++k) {
+    const std::size_t from = t[k], to = t[(k + 1) % 3];
+    if ((from + 1) % n != to && (to + 1) % n != from) bits = static_cast<std::uint8_t>(bits | 1U << k);
+  }
+  return bits;
+}
+
 void append_triangles(std::vector<VertexId>& polygon, SurfaceMesh& mesh) {
   if (polygon.size() > 3) drop_repeated_corners(polygon);
   while (polygon.size() < 3) polygon.push_back(polygon.back());
@@ -26,7 +46,13 @@ void append_triangles(std::vector<VertexId>& polygon, SurfaceMesh& mesh) {
   }
   std::vector<Vec3d> corners;
   for (const VertexId vertex : polygon) corners.push_back(mesh.points[vertex.index()]);
-  for (const auto& [a, b, c] : triangulate_polygon(corners).triangles) mesh.triangles.push_back({polygon[a], polygon[b], polygon[c]});
+  std::vector<PolygonTriangle> triangles = triangulate_polygon(corners).triangles;
+  begin_with_first_corner(triangles);
+  mesh.diagonals.resize(mesh.triangles.size(), 0);
+  for (const PolygonTriangle& t : triangles) {
+    mesh.triangles.push_back({polygon[t[0]], polygon[t[1]], polygon[t[2]]});
+    mesh.diagonals.push_back(diagonals_of(t, polygon.size()));
+  }
 }
 
 }  // namespace
@@ -58,6 +84,7 @@ SurfaceMesh build_mesh(PolygonSoup soup) {
     for (std::size_t i = begin; i < soup.face_ends[face]; ++i) polygon.push_back(welded.new_vertex[soup.corners[i]]);
     begin = soup.face_ends[face];
     append_triangles(polygon, mesh);
+    if (!mesh.diagonals.empty()) mesh.diagonals.resize(mesh.triangles.size(), 0);
     if (!soup.walls.empty()) mesh.walls.resize(mesh.triangles.size(), soup.walls[face]);
     if (!soup.face_labels.empty()) mesh.face_labels.resize(mesh.triangles.size(), soup.face_labels[face]);
   }

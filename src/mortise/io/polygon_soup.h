@@ -41,7 +41,8 @@ class LabelTable {
 
 /// The mesh of a soup: equal positions welded in order of first appearance, polygons triangulated in place.
 /// A corner equal to the one before it is dropped, from polygons of more than three corners only: no face vanishes, a polygon that
-/// is left with fewer than three corners becomes one degenerate triangle, and a degenerate triangle stays as it is.
+/// is left with fewer than three corners becomes one degenerate triangle, and a degenerate triangle stays as it is. Polygons leave
+/// their diagonals in the mesh (find_polygons).
 /// Every face has at least three corners and every corner names a point. O(n log n).
 [[nodiscard]] SurfaceMesh build_mesh(PolygonSoup soup);
 

@@ -170,10 +170,10 @@ class DegenerateFaces {
       is_kept_[g.index()] = false;
       return;
     }
-    mesh_.triangles[g.index()] = {p, middle, w};
-    mesh_.triangles[f.index()] = {middle, q, w};
     repair_.source[f.index()] = repair_.source[g.index()];
     copy_face_marks(g, f, mesh_);
+    set_corners(g, {p, middle, w}, mesh_);
+    set_corners(f, {middle, q, w}, mesh_);
     for (const FaceId changed : {f, g}) {
       edges_.add_face(changed);
       if (is_degenerate(mesh_, changed)) waiting_.push_back(changed);

@@ -13,6 +13,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/exact/predicates.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/select_faces.h"
@@ -25,7 +26,9 @@ namespace {
 
 constexpr const char* stage = "extrude_to";
 
-void turn_over(Triangle& t) { std::swap(t[1], t[2]); }
+void turn_over_all(SurfaceMesh& mesh) {
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) turn_over(FaceId(f), mesh);
+}
 
 /// The used vertices of a mesh, with the faces as they are.
 MeshPart compact(const SurfaceMesh& mesh, const std::vector<VertexId>& old_vertex) {
@@ -58,7 +61,7 @@ void turn_up(SurfaceMesh& sheet) {
   if (!not_down.empty()) {
     refuse_faces("stand upright or fold over: it is no heightfield", not_up.size() <= not_down.size() ? not_up : not_down);
   }
-  for (Triangle& t : sheet.triangles) turn_over(t);
+  turn_over_all(sheet);
 }
 
 /// Is the plane below the sheet, or else above it?
@@ -133,7 +136,8 @@ SurfaceMesh extrude_to(const SurfaceMesh& sheet, double z) {
   close_below(solid, shadow);
   label_new_faces(solid, sheet_faces);
   solid.walls.clear();
-  if (!below) std::for_each(solid.triangles.begin(), solid.triangles.end(), turn_over);
+  resize_face_marks(solid);
+  if (!below) turn_over_all(solid);
   return solid;
 }
 

@@ -194,6 +194,7 @@ void fill(MeshInRepair& repair, const Hole& hole) {
     mesh.triangles.push_back({hole.corners[t[0]], hole.corners[t[1]], hole.corners[t[2]]});
     repair.source.push_back(RepairedMesh::none);
     append_face_marks(mesh, FaceId(neighbour), mesh);
+    forget_diagonals(FaceId(mesh.triangles.size() - 1), mesh);
   }
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mortise/geom/box_tree.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/ray_crossing.h"
 #include "mortise/mesh/repair_steps.h"
@@ -17,8 +18,6 @@
 
 namespace mortise {
 namespace {
-
-void turn_over(Triangle& t) { std::swap(t[1], t[2]); }
 
 /// A set of faces joined by edges of two faces.
 struct Surface {
@@ -202,7 +201,7 @@ void orient_faces(MeshInRepair& repair) {
       ++one_sided_surfaces;
     }
   }
-  for (const FaceId f : turned) turn_over(repair.mesh.triangles[f.index()]);
+  for (const FaceId f : turned) turn_over(f, repair.mesh);
   add_note(repair, RepairStep::Orient, RepairOutcome::Done, turned.size(), turned);
   add_note(repair, RepairStep::Orient, RepairOutcome::NotOrientable, one_sided_surfaces, one_sided);
 }
@@ -214,7 +213,7 @@ void flip_inside_out_shells(MeshInRepair& repair) {
   for (std::size_t s = 0; s < shells.size(); ++s) {
     if (is_turned[s]) turned.insert(turned.end(), shells[s].faces.begin(), shells[s].faces.end());
   }
-  for (const FaceId f : turned) turn_over(repair.mesh.triangles[f.index()]);
+  for (const FaceId f : turned) turn_over(f, repair.mesh);
   add_note(repair, RepairStep::FlipInsideOut, RepairOutcome::Done, turned.size(), turned);
 }
 

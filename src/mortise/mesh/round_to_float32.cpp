@@ -108,9 +108,9 @@ class AreaRepair {
     const VertexId a = origin_of(mesh_, next_in_face(next_in_face(h))), w = origin_of(mesh_, next_in_face(next_in_face(across)));
     const bool runs_back = origin_of(mesh_, across) == v;
     if (!runs_back || a == w || touches_swapped(h) || touches_swapped(across) || are_joined(topology_, a, w)) return false;
-    mesh_.triangles[h / 3] = {a, u, w};
-    mesh_.triangles[across / 3] = {w, v, a};
     copy_face_marks(face_of(across), face_of(h), mesh_);
+    set_corners(face_of(h), {a, u, w}, mesh_);
+    set_corners(face_of(across), {w, v, a}, mesh_);
     touch(h);
     touch(across);
     return true;

@@ -7,6 +7,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/base/union_find.h"
+#include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_cells.h"
 #include "mortise/mesh/find_regions.h"
 #include "mortise/mesh/repeats_vertex.h"
@@ -84,7 +85,7 @@ std::vector<MeshPart> parts_between_walls(const SurfaceMesh& welded) {
     MeshPart part = select_faces(clean.mesh, faces[c]);
     part.mesh.walls.clear();
     for (std::size_t i = 0; i < faces[c].size(); ++i) {
-      if (cells.in_front[faces[c][i].index()] == c) std::swap(part.mesh.triangles[i][1], part.mesh.triangles[i][2]);
+      if (cells.in_front[faces[c][i].index()] == c) turn_over(FaceId(i), part.mesh);
       part.source_face[i] = clean.source_face[faces[c][i].index()];
     }
     for (VertexId& v : part.source_vertex) v = clean.source_vertex[v.index()];

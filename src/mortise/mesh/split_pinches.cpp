@@ -115,7 +115,7 @@ SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology
   std::sort(fans.begin(), fans.end());
 
   SplitPinches split;
-  split.mesh = {{}, mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls};
+  split.mesh = {{}, mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals};
   std::vector<VertexId> vertex_of_fan(corners.size());
   for (const auto& [vertex, corner] : fans) {
     vertex_of_fan[corner] = VertexId(split.source.size());

@@ -23,6 +23,7 @@ struct SurfaceMesh {
   std::vector<std::uint32_t> face_labels;  ///< empty, or one per triangle: index into label_names
   std::vector<std::string> label_names;    ///< groups, named solids, materials
   std::vector<std::uint8_t> walls;         ///< empty, or one per triangle: 1 when the solid is on both of its sides, or on neither
+  std::vector<std::uint8_t> diagonals;     ///< empty, or one per triangle: bit k when the edge from corner k is inside a polygon
 };
 
 }  // namespace mortise

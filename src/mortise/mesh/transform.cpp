@@ -11,6 +11,7 @@
 #include "mortise/base/error.h"
 #include "mortise/base/trig.h"
 #include "mortise/exact/predicates.h"
+#include "mortise/mesh/face_marks.h"
 
 namespace mortise {
 namespace {
@@ -103,7 +104,7 @@ SurfaceMesh transform(const SurfaceMesh& mesh, const AffineMap& map) {
         .with_ids(IdKind::Vertices, std::move(too_large));
   }
   if (handedness(map) == Sign::Negative) {
-    for (Triangle& triangle : image.triangles) std::swap(triangle[1], triangle[2]);
+    for (std::size_t f = 0; f < image.triangles.size(); ++f) turn_over(FaceId(f), image);
   }
   return image;
 }

@@ -49,6 +49,14 @@ void validate(const SurfaceMesh& mesh) {
         ErrorCode::InvalidArgument, stage,
         "there are " + std::to_string(mesh.walls.size()) + " marks of walls for " + std::to_string(mesh.triangles.size()) + " triangles");
   }
+  if (!mesh.diagonals.empty() && mesh.diagonals.size() != mesh.triangles.size()) {
+    throw Error(ErrorCode::InvalidArgument, stage,
+                "there are " + std::to_string(mesh.diagonals.size()) + " marks of diagonals for " + std::to_string(mesh.triangles.size()) +
+                    " triangles");
+  }
+  refuse(
+      mesh.diagonals.size(), [&](std::size_t f) { return mesh.diagonals[f] > 7; }, IdKind::Faces,
+      Error(ErrorCode::InvalidArgument, stage, "a triangle has three edges: marks of diagonals are below 8"));
   if (mesh.face_labels.empty()) return;
   if (mesh.face_labels.size() != mesh.triangles.size()) {
     throw Error(ErrorCode::InvalidArgument, stage,

@@ -65,7 +65,7 @@ WeldedMesh weld(const SurfaceMesh& mesh) {
     if (v.index() == welded.old_vertex.size()) welded.old_vertex.push_back(VertexId(welded.new_vertex.size()));
     welded.new_vertex.push_back(v);
   }
-  welded.mesh = {table.take_positions(), mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls};
+  welded.mesh = {table.take_positions(), mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals};
   for (Triangle& triangle : welded.mesh.triangles) {
     for (VertexId& vertex : triangle) vertex = welded.new_vertex[vertex.index()];
   }
