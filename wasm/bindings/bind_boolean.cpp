@@ -73,6 +73,7 @@ std::vector<const SurfaceMesh*> pointers_to(const std::vector<SurfaceMesh>& mesh
 /// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids}
 BooleanOptions options_in(const val& settings) {
   BooleanOptions options;
+  options.contact_memory = std::uint64_t{1} << 30;  // twice as much has no room in 4 GB while the list grows
   options.require_solids = settings["requireSolids"].as<bool>();
   const val listener = settings["listener"];
   if (listener.isUndefined()) return options;
