@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Every class of operands through every operation: what docs/inputs.md says happens.
-#include <fstream>
 #include <functional>
 #include <limits>
 #include <map>
@@ -20,7 +19,7 @@
 #include "mortise/mesh/topology.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
-#include "support/data.h"
+#include "support/document.h"
 #include "support/mesh_checks.h"
 #include "support/self_crossing_oracle.h"
 
@@ -173,29 +172,10 @@ std::string outcome(const std::string& column, const std::string& name, const Su
   }
 }
 
-std::vector<std::string> cells_of(const std::string& line) {
-  std::vector<std::string> cells;
-  for (std::size_t at = 1, next; (next = line.find('|', at)) != std::string::npos; at = next + 1) {
-    const std::size_t first = line.find_first_not_of(' ', at), last = line.find_last_not_of(' ', next - 1);
-    cells.push_back(line.substr(first, last + 1 - first));
-  }
-  return cells;
-}
-
-/// The lines of the table as words, the head first.
-std::vector<std::vector<std::string>> table() {
-  std::vector<std::vector<std::string>> rows;
-  std::ifstream file(repository_path("docs/inputs.md"));
-  for (std::string line; std::getline(file, line);) {
-    if (line.rfind("| ", 0) == 0) rows.push_back(cells_of(line));
-  }
-  return rows;
-}
-
 }  // namespace
 
 TEST_CASE("every class of operands gives what the documentation says", "[inputs]") {
-  const auto rows = table();
+  const auto rows = read_table("docs/inputs.md");
   const std::map<std::string, SurfaceMesh> meshes = classes();
   REQUIRE(rows.size() == meshes.size() + 1);
   for (std::size_t r = 1; r < rows.size(); ++r) {

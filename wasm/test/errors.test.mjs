@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Every way of being called wrongly: a MeshError with code, words that help, and the place.
+// Every way of being called wrongly: a MeshError with code, words that help, and the place; every code of docs/errors.md.
 
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import test from 'node:test';
 
-import { inspect, make, MeshError, readMesh, transform, union, writeMesh } from 'mortise';
+import { extrudeTo, inspect, intersect, make, MeshError, readMesh, split, transform, union, writeMesh } from 'mortise';
 
+import { createSyncApi } from '../src/sync_api.js';
 import { cube, meshError } from './support.mjs';
 
 const fails = (code, call) => meshError(code, call, MeshError);
@@ -137,4 +139,80 @@ test('an error is an Error with a name, a stack and fields that survive a copy',
   assert.equal(error.name, 'MeshError');
   assert.match(error.stack, /errors\.test/);
   assert.equal(structuredClone(error.details).kind, 'vertices');
+});
+
+/** Code and kinds of places of every line of docs/errors.md. */
+function documented() {
+  const text = readFileSync(new URL('../../docs/errors.md', import.meta.url), 'utf8');
+  const rows = text.split('\n').filter((line) => line.startsWith('| ')).map((line) => line.split('|').map((cell) => cell.trim()));
+  return new Map(rows.slice(1).map((cells) => [cells[1], cells[3].split(', ')]));
+}
+
+/** The unit cube with a change. */
+function changed(change) {
+  const mesh = cube();
+  return change(mesh) ?? mesh;
+}
+
+/** Many long needles: all their boxes overlap. */
+function needles(count, step) {
+  const corners = (i) => [0, 0, step * i, 1, 0, step * i + 1, 1, 1, step * i + 2];
+  return { positions: Float64Array.from(Array.from({ length: count }, (_, i) => corners(i)).flat()) };
+}
+
+/** A core that stops. No call reaches INTERNAL_ERROR in the real one: what does is a bug to mend. */
+function stoppedCore() {
+  return createSyncApi({ makeShape: () => { throw new WebAssembly.RuntimeError('unreachable'); } }, {}, () => {});
+}
+
+const sheet = { positions: [0, 0, 0, 1, 0, 0, 1, 1, 2, 0, 1, 2], triangles: [0, 1, 2, 0, 2, 3] };
+const upright = { positions: [0, 0, 1, 1, 0, 1, 1, 0, 2] };
+const read = (text, format) => readMesh(new TextEncoder().encode(text), { format });
+
+/** The bytes of a file of the cube, with a number in place of another; `at` counts from the end when negative. */
+async function fileWith(format, at, write) {
+  const bytes = await writeMesh(cube(), { format });
+  write(new DataView(bytes.buffer, bytes.byteOffset + (at < 0 ? bytes.length + at : at)));
+  return bytes;
+}
+
+/** Calls that fail: with which code, with which kind of places. */
+const provocations = [
+  ['INVALID_ARGUMENT', 'none', () => union()],
+  ['INVALID_ARGUMENT', 'faces', () => extrudeTo(upright, { z: 0 })],
+  ['INVALID_ARGUMENT', 'vertices', () => extrudeTo(sheet, { z: 0 })],
+  ['NOT_FINITE', 'vertices', () => union(cube(), changed((mesh) => void (mesh.positions[4] = NaN)))],
+  ['NOT_FINITE', 'line', () => read('v 0 0 nan\n', 'obj')],
+  ['NOT_FINITE', 'byte', async () => readMesh(await fileWith('stl', 96, (view) => view.setFloat32(0, NaN, true)), { format: 'stl' })],
+  ['BAD_INDEX', 'faces', () => union(cube(), changed((mesh) => void (mesh.triangles[4] = 8)))],
+  ['BAD_INDEX', 'line', () => read('v 0 0 0\nf 1 2 1\n', 'obj')],
+  ['BAD_INDEX', 'byte', async () => readMesh(await fileWith('ply', -4, (view) => view.setUint32(0, 8, true)), { format: 'ply' })],
+  ['NOT_CLOSED', 'vertexPairs', () => union(cube(), changed((mesh) => ({ ...mesh, triangles: mesh.triangles.subarray(3) })), { kind: 'solid' })],
+  ['NOT_CLOSED', 'none', () => split({ ...sheet, walls: Uint8Array.of(1, 0) }, { by: 'regions' })],
+  ['NOT_ORIENTED', 'vertexPairs', () => union(cube(), changed((mesh) => mesh.triangles.set([3, 2, 0], 0)))],
+  ['INSIDE_OUT', 'faces', () => union(cube(), changed((mesh) => void mesh.triangles.reverse()))],
+  ['OUT_OF_RANGE', 'vertices', () => transform(cube(9), [{ scale: 1e308 }])],
+  ['OUT_OF_RANGE', 'line', () => read('v 0 0 1e999\n', 'obj')],
+  ['OUT_OF_RANGE', 'none', () => intersect({ positions: [-1e308, 0, 0, 1e308, 1, 0, 0, 0, 1] }, { plane: [1, 0, 0, 1e308] })],
+  ['RESULT_TOO_LARGE', 'none', () => union(needles(8300, 1e-7), needles(8300, 2e-7))],
+  ['PARSE_FAILED', 'line', () => read('v 0 zero 0\n', 'obj')],
+  ['PARSE_FAILED', 'byte', async () => readMesh((await writeMesh(cube(), { format: 'stl' })).subarray(1), { format: 'stl' })],
+  ['UNKNOWN_FORMAT', 'none', () => readMesh(new Uint8Array(9))],
+  ['FILE_FAILED', 'none', () => readMesh('/nowhere/at/all.stl')],
+  ['CANCELLED', 'none', () => union(cube(), cube(0.5), { onProgress: () => false })],
+  ['OUT_OF_MEMORY', 'none', () => make('gridSheet', { cellsX: 15000, cellsY: 15000 })],
+  ['INTERNAL_ERROR', 'none', () => stoppedCore().make('box')],
+];
+
+test('the documentation has the codes of the declarations', () => {
+  const declarations = readFileSync(new URL('../src/index.d.ts', import.meta.url), 'utf8');
+  const [, codes] = declarations.match(/export type MeshErrorCode =([^;]*);/);
+  assert.deepEqual([...documented().keys()], [...codes.matchAll(/'(\w+)'/g)].map(([, code]) => code));
+});
+
+test('every code of the documentation can be provoked, with every kind of places', async () => {
+  const words = [...documented()].flatMap(([code, kinds]) => kinds.map((kind) => `${code} ${kind}`));
+  assert.deepEqual(provocations.map(([code, kind]) => `${code} ${kind}`).sort(), words.sort());
+  for (const [code, kind, call] of provocations) assert.equal((await fails(code, call)).details.kind ?? 'none', kind, code);
+  assert.equal((await union(cube(), cube(0.5))).report.volume, 1.5);
 });

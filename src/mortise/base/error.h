@@ -25,7 +25,7 @@ enum class ErrorCode {
   UnknownFormat,    ///< neither the name nor the content tells the file format
   FileFailed,       ///< a file cannot be opened, read or written
   Cancelled,        ///< the progress callback asked to stop
-  OutOfMemory,      ///< an allocation failed
+  OutOfMemory,      ///< an allocation failed: thrown in JavaScript only, C++ gets std::bad_alloc
   InternalError,    ///< a belief of the library did not hold: please report
 };
 
@@ -38,7 +38,8 @@ enum class IdKind { None, Vertices, Faces, VertexPairs, Line, Byte };
 /// "vertices", "faces", "vertexPairs", "line", "byte"; empty for None.
 [[nodiscard]] std::string_view id_kind_name(IdKind kind);
 
-/// Thrown at the public door. Indices are those of the operand as the caller gave it.
+/// Thrown at the public door; docs/errors.md says when, and what to do. Indices are those of the operand as the caller gave it.
+/// Operands stay as they were, nothing is lost and the next call works; so it is after std::bad_alloc, which C++ gets unchanged.
 class Error : public std::exception {
  public:
   Error(ErrorCode error_code, std::string_view stage_name, std::string text)
