@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mortise/base/bits.h"
 #include "mortise/base/trig.h"
 #include "mortise/exact/double_double.h"
 
@@ -32,23 +33,31 @@ double largest_size(const Vec3dd& p) { return std::max({std::fabs(p[0].hi), std:
 
 /// The e with size / 2^e in [1/2, 1); 0 for zero.
 int exponent_of(double size) {
+  const auto biased = static_cast<int>(cast_bits<std::uint64_t>(size) >> 52);
+  if (biased > 0 && biased < 0x7ff) return biased - 1022;
   int exponent = 0;
   std::frexp(size, &exponent);
   return exponent;
 }
 
-Vec3d scale(const Vec3d& p, int exponent) { return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent), std::ldexp(p.z, exponent)}; }
+/// x * 2^exponent as ldexp gives it, and quickly for all but extreme exponents.
+double shifted(double x, int exponent) {
+  if (exponent < -1000 || exponent > 1000) return std::ldexp(x, exponent);
+  return x * cast_bits<double>(static_cast<std::uint64_t>(exponent + 1023) << 52);
+}
+
+Vec3d scale(const Vec3d& p, int exponent) { return {shifted(p.x, exponent), shifted(p.y, exponent), shifted(p.z, exponent)}; }
 
 Vec3dd scale(const Vec3dd& p, int exponent) {
   Vec3dd scaled;
-  for (std::size_t i = 0; i < 3; ++i) scaled[i] = {std::ldexp(p[i].hi, exponent), std::ldexp(p[i].lo, exponent), 0};
+  for (std::size_t i = 0; i < 3; ++i) scaled[i] = {shifted(p[i].hi, exponent), shifted(p[i].lo, exponent), 0};
   return scaled;
 }
 
 double length_of(const Vec3dd& p) {
   const int exponent = exponent_of(largest_size(p));
   const Vec3dd scaled = scale(p, -exponent);
-  return std::ldexp(std::sqrt(dot_of_rounded(scaled, scaled)), exponent);
+  return shifted(std::sqrt(dot_of_rounded(scaled, scaled)), exponent);
 }
 
 /// The shape of a triangle, its longest side about 1.
@@ -76,15 +85,23 @@ TriangleShape shape_of(const SurfaceMesh& mesh, const Triangle& t) {
   return shape_of(mesh.points[t[0].index()], mesh.points[t[1].index()], mesh.points[t[2].index()]);
 }
 
-std::array<double, 3> angles_of(const TriangleShape& shape) {
+/// An angle of 0 to 180 degrees by its direction: cosine and sine times any length.
+struct Angle {
+  double cosine = 1, sine = 0;
+
+  [[nodiscard]] bool operator<(const Angle& other) const {
+    const double turn = cosine * other.sine - sine * other.cosine;
+    return turn > 0 || (turn == 0 && cosine > 0 && other.cosine < 0);
+  }
+  [[nodiscard]] double degrees() const { return trig::to_degrees(trig::atan2(sine, cosine)); }
+};
+
+std::array<Angle, 3> angles_of(const TriangleShape& shape) {
   const Vec3dd bc = difference(shape.ac, shape.ab);
-  const double at_a = dot_of_rounded(shape.ab, shape.ac);
-  const double at_b = -dot_of_rounded(shape.ab, bc);
-  const double at_c = dot_of_rounded(shape.ac, bc);
-  std::array<double, 3> angles{};
-  for (const std::size_t i : {std::size_t{0}, std::size_t{1}, std::size_t{2}}) {
-    const double cosine = i == 0 ? at_a : i == 1 ? at_b : at_c;
-    angles[i] = cosine == 0 && shape.twice_area == 0 ? 0 : trig::to_degrees(trig::atan2(shape.twice_area, cosine));
+  const std::array<double, 3> cosines{dot_of_rounded(shape.ab, shape.ac), -dot_of_rounded(shape.ab, bc), dot_of_rounded(shape.ac, bc)};
+  std::array<Angle, 3> angles;
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (cosines[i] != 0 || shape.twice_area != 0) angles[i] = {cosines[i], shape.twice_area};
   }
   return angles;
 }
@@ -96,7 +113,10 @@ double triangle_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return std::ldexp(shape.twice_area, 2 * shape.exponent - 1);
 }
 
-std::array<double, 3> triangle_angles_deg(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return angles_of(shape_of(a, b, c)); }
+std::array<double, 3> triangle_angles_deg(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
+  const std::array<Angle, 3> angles = angles_of(shape_of(a, b, c));
+  return {angles[0].degrees(), angles[1].degrees(), angles[2].degrees()};
+}
 
 Box3 bounding_box(const SurfaceMesh& mesh) {
   Box3 box;
@@ -113,7 +133,7 @@ double surface_area(const SurfaceMesh& mesh) {
   DoubleDouble twice_area;
   for (const Triangle& t : mesh.triangles) {
     const TriangleShape shape = shape_of(mesh, t);
-    twice_area = twice_area + DoubleDouble{std::ldexp(shape.twice_area, 2 * (shape.exponent - exponent)), 0, 0};
+    twice_area = twice_area + DoubleDouble{shifted(shape.twice_area, 2 * (shape.exponent - exponent)), 0, 0};
   }
   return std::ldexp(twice_area.hi, 2 * exponent - 1);
 }
@@ -129,7 +149,7 @@ double enclosed_volume(const SurfaceMesh& mesh) {
   }
   const auto from_centre = [&](const Vec3d& p) {
     Vec3dd scaled;
-    for (std::size_t i = 0; i < 3; ++i) scaled[i] = DoubleDouble::difference(std::ldexp(p[i], -exponents[i]), centre[i]);
+    for (std::size_t i = 0; i < 3; ++i) scaled[i] = DoubleDouble::difference(shifted(p[i], -exponents[i]), centre[i]);
     return scaled;
   };
   DoubleDouble six_volumes;
@@ -144,14 +164,14 @@ double enclosed_volume(const SurfaceMesh& mesh) {
 
 AngleRange angle_range(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return {};
-  AngleRange range{180, 0};
+  Angle smallest{-1, 0}, largest{1, 0};
   for (const Triangle& t : mesh.triangles) {
-    for (const double angle : angles_of(shape_of(mesh, t))) {
-      range.min_deg = std::min(range.min_deg, angle);
-      range.max_deg = std::max(range.max_deg, angle);
+    for (const Angle& angle : angles_of(shape_of(mesh, t))) {
+      smallest = std::min(smallest, angle);
+      largest = std::max(largest, angle);
     }
   }
-  return range;
+  return {smallest.degrees(), largest.degrees()};
 }
 
 }  // namespace mortise
