@@ -78,7 +78,7 @@ TEST_CASE("polygons an operation leaves whole stay, cut ones become triangles") 
   CHECK(std::vector<std::size_t>(counts.begin(), counts.begin() + 5) == std::vector<std::size_t>{6, 6, 4, 4, 4});
   CHECK(counts[5] == 3);
   const std::vector<std::string> before = faces_of(l_shape), after = faces_of(write(cut.mesh));
-  for (const std::size_t whole : {0, 1, 5, 6, 7}) CHECK(std::count(after.begin(), after.end(), before[whole]) == 1);
+  for (const std::size_t whole : {0U, 1U, 5U, 6U, 7U}) CHECK(std::count(after.begin(), after.end(), before[whole]) == 1);
   // Far away nothing is touched.
   CHECK(write(evaluate(Operation::Union, {solid, moved(cutter, {9, 9, 9})}).mesh).substr(0, 11) == "OFF\n20 20 0");
 }
