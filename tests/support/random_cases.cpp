@@ -23,12 +23,13 @@ constexpr Axis axes[] = {Axis::X, Axis::Y, Axis::Z};
 std::uint32_t count_of(std::size_t n) { return static_cast<std::uint32_t>(n); }
 
 AffineMap random_rotation(RandomSource& random) {
-  const AffineMap first = compose(rotation(Axis::X, random.between(0, 360)), rotation(Axis::Y, random.between(0, 360)));
-  return compose(first, rotation(Axis::Z, random.between(0, 360)));
+  const double y = random.between(0, 360), x = random.between(0, 360), z = random.between(0, 360);
+  return compose(compose(rotation(Axis::X, x), rotation(Axis::Y, y)), rotation(Axis::Z, z));
 }
 
 SurfaceMesh posed(const SurfaceMesh& mesh, RandomSource& random, double reach) {
-  return transform(mesh, compose(random_rotation(random), translation(random.point(-reach, reach))));
+  const Vec3d offset = random.point(-reach, reach);
+  return transform(mesh, compose(random_rotation(random), translation(offset)));
 }
 
 /// A closed surface about the origin, of size 1 or so, with about `faces` faces or fewer.
@@ -40,8 +41,10 @@ SurfaceMesh random_round_shape(RandomSource& random, std::size_t faces) {
       return make_sphere(random.between(0.5, 1), along(1.2), along(0.8));
     case 1:
       return make_icosphere(random.between(0.5, 1), faces < 80 ? 0 : faces < 320 ? 1 : faces < 1280 ? 2 : 3);
-    case 2:
-      return make_torus(random.between(0.6, 1), random.between(0.1, 0.5), along(1.4), along(0.7));
+    case 2: {
+      const double minor_radius = random.between(0.1, 0.5);
+      return make_torus(random.between(0.6, 1), minor_radius, along(1.4), along(0.7));
+    }
     case 3:
       return moved(make_cylinder(random.between(0.2, 0.8), 1, count_of(std::max<std::size_t>(3, faces / 4))), {0, 0, -0.5});
     default:
@@ -121,8 +124,10 @@ SurfaceMesh random_thin_shape(RandomSource& random, double thin) {
       return moved(make_cylinder(thin, 1, count_of(3 + random.below(9))), {0, 0, -0.5});
     case 4:
       return tetrahedron({-0.5, -0.5, 0}, {0.5, -0.5, thin}, {0.5, 0.5, 0}, {-0.5, 0.5, thin});
-    default:
-      return transform(make_icosphere(0.5, count_of(random.below(2))), scaling({1, random.once_in(2) ? 1 : thin, thin}));
+    default: {
+      const AffineMap flat = scaling({1, random.once_in(2) ? 1 : thin, thin});
+      return transform(make_icosphere(0.5, count_of(random.below(2))), flat);
+    }
   }
 }
 
@@ -138,7 +143,8 @@ Solids needles_case(RandomSource& random) {
     if (kind == 1) solids.push_back(posed(random_thin_shape(random, random.octaves(-27, -10)), random, 0.2));
     if (kind == 2) solids.push_back(transform(moved(with_axes_turned(first), {0.25, 0, 0}), pose));
     if (kind == 3) {
-      const AffineMap turn = rotation(axes[random.below(3)], trig::to_degrees(thin * random.between(-2, 2)));
+      const double degrees = trig::to_degrees(thin * random.between(-2, 2));
+      const AffineMap turn = rotation(axes[random.below(3)], degrees);
       solids.push_back(transform(transform(first, compose(turn, translation((thin / 2) * random.direction()))), pose));
     }
   }
@@ -181,13 +187,15 @@ SurfaceMesh fan_along_edges(const SurfaceMesh& fan, std::size_t step) {
 /// A tetrahedron with the apex and an edge of the fan, and more, as one of its edges.
 SurfaceMesh tetrahedron_on_edge(const SurfaceMesh& fan, RandomSource& random) {
   const Vec3d along = 2.0 * fan.points[2 + random.below(fan.points.size() - 2)];
-  return tetrahedron({0, 0, 0}, along, 2.0 * random.direction(), 2.0 * random.direction());
+  const Vec3d last = 2.0 * random.direction();
+  return tetrahedron({0, 0, 0}, along, 2.0 * random.direction(), last);
 }
 
 /// A tetrahedron with an edge through the apex.
 SurfaceMesh tetrahedron_through_apex(RandomSource& random) {
   const Vec3d along = random.direction();
-  return tetrahedron(along, -1.0 * along, 2.0 * random.direction(), 2.0 * random.direction());
+  const Vec3d last = 2.0 * random.direction();
+  return tetrahedron(along, -1.0 * along, 2.0 * random.direction(), last);
 }
 
 SurfaceMesh box_at_apex(RandomSource& random) {
@@ -206,8 +214,10 @@ SurfaceMesh partner_of_fan(const SurfaceMesh& fan, RandomSource& random) {
   // Fans that share an apex have that many pairs of faces: their product is bounded.
   const std::size_t others = random.size(3, std::max<std::size_t>(4, std::min<std::size_t>(1000, 20000 / sides)));
   switch (random.below(7)) {
-    case 0:
-      return transform(random_fan(random, others), random_rotation(random));
+    case 0: {
+      const AffineMap pose = random_rotation(random);
+      return transform(random_fan(random, others), pose);
+    }
     case 1:
       return sides <= 150 ? scaled(fan, random.once_in(2) ? 2 : 0.5) : tetrahedron_on_edge(fan, random);
     case 2:
@@ -255,7 +265,8 @@ SurfaceMesh random_comb(RandomSource& random, std::size_t blades) {
   for (std::size_t i = 0; i < blades; ++i) {
     const double x = -1 + cell * static_cast<double>(i), left = x + cell * random.between(0.1, 0.4);
     const double right = x + cell * random.between(0.6, 0.9);
-    teeth.push_back(box({left, -random.between(0.5, 1), -0.25}, {right, random.between(0.5, 1), random.between(0.1, 1)}));
+    const Vec3d hi{right, random.between(0.5, 1), random.between(0.1, 1)};
+    teeth.push_back(box({left, -random.between(0.5, 1), -0.25}, hi));
   }
   return joined(teeth);
 }

@@ -37,7 +37,7 @@ SurfaceMesh RandomSolids::next() {
     case 2:
       return turned(random_prism());
     default:
-      return octahedron(grid_point(), 1 + static_cast<double>(below(2)));
+      return random_octahedron();
   }
 }
 
@@ -78,6 +78,11 @@ SurfaceMesh RandomSolids::random_box() {
   return below(2) == 0 ? box(lo, hi) : box_other_diagonals(lo, hi);
 }
 
+SurfaceMesh RandomSolids::random_octahedron() {
+  const double radius = 1 + static_cast<double>(below(2));
+  return octahedron(grid_point(), radius);
+}
+
 SurfaceMesh RandomSolids::random_tetrahedron() {
   for (;;) {
     const Vec3d a = grid_point(), b = grid_point(), c = grid_point(), d = grid_point();
@@ -97,7 +102,8 @@ SurfaceMesh RandomSolids::random_extrusion() {
   const double a = length(), b = a + length(), c = b + length(), low = length(), high = low + length();
   const std::vector<Vec2d> l{{0, 0}, {b, 0}, {b, low}, {a, low}, {a, high}, {0, high}};
   const std::vector<Vec2d> u{{0, 0}, {c, 0}, {c, high}, {b, high}, {b, low}, {a, low}, {a, high}, {0, high}};
-  const SurfaceMesh mesh = extrude(once_in(2) ? l : u, length());
+  const double height = length();
+  const SurfaceMesh mesh = extrude(once_in(2) ? l : u, height);
   return moved(mesh, {0, 0, coordinate()});
 }
 

@@ -26,6 +26,7 @@ class RandomSolids : public RandomSource {
   [[nodiscard]] double coordinate();
   [[nodiscard]] double length();
   [[nodiscard]] SurfaceMesh random_box();
+  [[nodiscard]] SurfaceMesh random_octahedron();
   [[nodiscard]] SurfaceMesh random_tetrahedron();
   [[nodiscard]] SurfaceMesh random_prism();
   [[nodiscard]] SurfaceMesh random_extrusion();
