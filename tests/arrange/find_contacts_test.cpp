@@ -211,7 +211,7 @@ TEST_CASE("faces without area touch no face of another operand, faces with a cor
 TEST_CASE("more pairs than the memory holds are refused with their number and bytes, before they are stored") {
   const OperandFaces faces = gather({unit, moved(unit, {0.5, 0.25, 0.125})});
   const std::uint64_t pairs = find_contacts(faces, plenty, {}).candidate_pairs;
-  const std::uint64_t bytes = 8 * pairs;
+  const std::uint64_t bytes = 16 * pairs;
   CHECK(find_contacts(faces, bytes, {}).candidate_pairs == pairs);
   for (const std::uint64_t memory : {bytes - 1, std::uint64_t{0}}) {
     const auto error = error_of([&] { (void)find_contacts(faces, memory, {}); });

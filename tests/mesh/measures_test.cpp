@@ -49,8 +49,8 @@ TEST_CASE("Powers of two scale every measure exactly", "[mesh][measures]") {
     const SurfaceMesh scaled = test::scaled(torus, factor);
     CHECK(enclosed_volume(scaled) == std::ldexp(enclosed_volume(torus), 3 * power));
     CHECK(surface_area(scaled) == std::ldexp(surface_area(torus), 2 * power));
-    CHECK(angle_range(scaled).min_deg == angle_range(torus).min_deg);
-    CHECK(angle_range(scaled).max_deg == angle_range(torus).max_deg);
+    CHECK(measure_faces(scaled).angles.min_deg == measure_faces(torus).angles.min_deg);
+    CHECK(measure_faces(scaled).angles.max_deg == measure_faces(torus).angles.max_deg);
   }
 }
 
@@ -58,14 +58,14 @@ TEST_CASE("What does not fit a double is infinite or zero, never NaN", "[mesh][m
   const SurfaceMesh huge = test::box({-1.7e308, -1.7e308, -1.7e308}, {1.7e308, 1.7e308, 1.7e308});
   CHECK(enclosed_volume(huge) == infinity);
   CHECK(surface_area(huge) == infinity);
-  CHECK(angle_range(huge).min_deg == 45);
-  CHECK(angle_range(huge).max_deg == 90);
+  CHECK(measure_faces(huge).angles.min_deg == 45);
+  CHECK(measure_faces(huge).angles.max_deg == 90);
   constexpr double least = std::numeric_limits<double>::denorm_min();
   const SurfaceMesh tiny = test::box({0, 0, 0}, {least, least, least});
   CHECK(enclosed_volume(tiny) == 0);
   CHECK(surface_area(tiny) == 0);
-  CHECK(angle_range(tiny).min_deg == 45);
-  CHECK(angle_range(tiny).max_deg == 90);
+  CHECK(measure_faces(tiny).angles.min_deg == 45);
+  CHECK(measure_faces(tiny).angles.max_deg == 90);
 }
 
 TEST_CASE("Bodies and faces of extreme proportions keep their measure", "[mesh][measures]") {
@@ -95,10 +95,10 @@ TEST_CASE("Slivers keep relative accuracy", "[mesh][measures]") {
 }
 
 TEST_CASE("Faces without area have angles of 0 and 180", "[mesh][measures]") {
-  const AngleRange straight = angle_range(triangle({0, 0, 0}, {1, 1, 1}, {3, 3, 3}));
+  const AngleRange straight = measure_faces(triangle({0, 0, 0}, {1, 1, 1}, {3, 3, 3})).angles;
   CHECK(straight.min_deg == 0);
   CHECK(straight.max_deg == 180);
-  const AngleRange point = angle_range(triangle({2, 2, 2}, {2, 2, 2}, {2, 2, 2}));
+  const AngleRange point = measure_faces(triangle({2, 2, 2}, {2, 2, 2}, {2, 2, 2})).angles;
   CHECK(point.min_deg == 0);
   CHECK(point.max_deg == 0);
   CHECK(surface_area(triangle({0, 0, 0}, {0.1, 0.2, 0.3}, {0.1, 0.2, 0.3})) == 0);
@@ -110,7 +110,7 @@ TEST_CASE("A mesh without faces measures nothing", "[mesh][measures]") {
   CHECK(enclosed_volume(points) == 0);
   CHECK(surface_area(points) == 0);
   CHECK(bounding_box(points).is_empty());
-  CHECK(angle_range(points).max_deg == 0);
+  CHECK(measure_faces(points).angles.max_deg == 0);
 }
 
 }  // namespace mortise

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "mortise/exact/predicates.h"
+#include "mortise/exact/sides_of_plane.h"
 
 namespace mortise {
 namespace {
@@ -21,10 +21,9 @@ bool has_corner(const TriangleCorners& t, std::uint32_t id) { return t.id[0] == 
 
 // Sides of the corners of `t` to the plane of `plane`; shared corners are zero without arithmetic.
 Signs sides_to_plane(const TriangleCorners& plane, const TriangleCorners& t) {
+  const SidesOfPlane sides(plane.position[0], plane.position[1], plane.position[2]);
   Signs s{};
-  for (std::size_t i = 0; i < 3; ++i) {
-    s[i] = has_corner(plane, t.id[i]) ? Sign::Zero : orient3d(plane.position[0], plane.position[1], plane.position[2], t.position[i]);
-  }
+  for (std::size_t i = 0; i < 3; ++i) s[i] = has_corner(plane, t.id[i]) ? Sign::Zero : sides.of(t.position[i]);
   return s;
 }
 

@@ -18,25 +18,42 @@ struct Pair {
   std::uint32_t a, b;  // a < b
 };
 
+// Sorts by a, then b: pairs are put in place by a, those of one a are few.
+std::vector<Pair> sorted_pairs(const std::vector<Pair>& pairs, std::size_t face_count) {
+  std::vector<std::size_t> next(face_count + 1, 0);
+  for (const Pair& p : pairs) ++next[p.a + 1];
+  for (std::size_t f = 0; f < face_count; ++f) next[f + 1] += next[f];
+  std::vector<Pair> sorted(pairs.size());
+  for (const Pair& p : pairs) sorted[next[p.a]++] = p;
+  const auto is_before = [](const Pair& p, const Pair& q) { return p.b < q.b; };
+  for (std::size_t i = 0; i < sorted.size();) {
+    const std::size_t end = next[sorted[i].a];  // where the pairs of this face end now
+    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(i), sorted.begin() + static_cast<std::ptrdiff_t>(end), is_before);
+    i = end;
+  }
+  return sorted;
+}
+
 // Counts before it stores: n^2 pairs are legal, running out of memory is not.
 class PairList {
  public:
-  explicit PairList(std::uint64_t memory) : most_pairs_(memory / sizeof(Pair)) {}
+  explicit PairList(std::uint64_t memory) : most_pairs_(memory / bytes_per_pair) {}
 
   void add(std::uint32_t a, std::uint32_t b) {
     ++count_;
     if (count_ <= most_pairs_) pairs_.push_back({std::min(a, b), std::max(a, b)});
   }
-  [[nodiscard]] std::vector<Pair> take() && {
+  [[nodiscard]] std::vector<Pair> take(std::size_t face_count) && {
     if (count_ > most_pairs_) {
       throw Error(ErrorCode::ResultTooLarge, stage_name,
-                  std::to_string(count_) + " pairs of faces may touch; they need " + std::to_string(count_ * sizeof(Pair)) + " bytes");
+                  std::to_string(count_) + " pairs of faces may touch; they need " + std::to_string(count_ * bytes_per_pair) + " bytes");
     }
-    std::sort(pairs_.begin(), pairs_.end(), [](const Pair& p, const Pair& q) { return p.a != q.a ? p.a < q.a : p.b < q.b; });
-    return std::move(pairs_);
+    return sorted_pairs(pairs_, face_count);
   }
 
  private:
+  static constexpr std::uint64_t bytes_per_pair = 2 * sizeof(Pair);  // sorting takes as much again
+
   std::uint64_t most_pairs_;
   std::uint64_t count_ = 0;
   std::vector<Pair> pairs_;
@@ -116,7 +133,7 @@ std::vector<Pair> find_candidates(const OperandFaces& faces, std::uint64_t memor
       if (boxes_meet(faces.bounds[k], faces.bounds[m])) add_pairs_between(reach[k], reach[m], pairs);
     }
   }
-  return std::move(pairs).take();
+  return std::move(pairs).take(faces.corners.size());
 }
 
 bool are_shared_corners(const Incidence& i) { return i.on_a.kind == Feature::Kind::Corner && i.on_b.kind == Feature::Kind::Corner; }

@@ -11,30 +11,32 @@
 namespace mortise {
 namespace {
 
-std::vector<SourceId> faces_in_contact(const Contacts& contacts) {
-  std::vector<SourceId> result;
-  for (const Contact& c : contacts.contacts) {
-    result.push_back(c.face_a);
-    result.push_back(c.face_b);
-  }
-  for (const StrayPoint& s : contacts.stray_points) result.push_back(s.face);
-  std::sort(result.begin(), result.end());
-  result.erase(std::unique(result.begin(), result.end()), result.end());
-  return result;
-}
+constexpr std::uint32_t untouched = 0xffffffffU;
 
-std::uint32_t position_in(const std::vector<SourceId>& sorted, SourceId f) {
-  return static_cast<std::uint32_t>(std::lower_bound(sorted.begin(), sorted.end(), f) - sorted.begin());
+// Numbers the faces in contact, in their order.
+IdVector<SourceId, std::uint32_t> number_touched(const OperandFaces& faces, const Contacts& contacts) {
+  IdVector<SourceId, std::uint32_t> number(faces.corners.size(), untouched);
+  for (const Contact& c : contacts.contacts) number[c.face_a] = number[c.face_b] = 0;
+  for (const StrayPoint& s : contacts.stray_points) number[s.face] = 0;
+  std::uint32_t count = 0;
+  for (std::uint32_t& n : number) {
+    if (n != untouched) n = count++;
+  }
+  return number;
 }
 
 // (representative, member) for every face in contact, grouped by the lowest face of its overlay.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> group_by_overlap(const Contacts& contacts, const std::vector<SourceId>& touched) {
+std::vector<std::pair<SourceId, SourceId>> group_by_overlap(const Contacts& contacts, const IdVector<SourceId, std::uint32_t>& number) {
+  std::vector<SourceId> touched;
+  for (std::size_t f = 0; f < number.size(); ++f) {
+    if (number[SourceId(f)] != untouched) touched.push_back(SourceId(f));
+  }
   UnionFind groups(touched.size());
   for (const Contact& c : contacts.contacts) {
-    if (c.kind == PairContact::Overlap) groups.join(position_in(touched, c.face_a), position_in(touched, c.face_b));
+    if (c.kind == PairContact::Overlap) groups.join(number[c.face_a], number[c.face_b]);
   }
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> members;
-  for (std::uint32_t i = 0; i < touched.size(); ++i) members.emplace_back(groups.find(i), i);
+  std::vector<std::pair<SourceId, SourceId>> members;
+  for (std::uint32_t i = 0; i < touched.size(); ++i) members.emplace_back(touched[groups.find(i)], touched[i]);
   std::sort(members.begin(), members.end());
   return members;
 }
@@ -42,12 +44,10 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> group_by_overlap(const Cont
 }  // namespace
 
 Overlays overlay_coplanar(const OperandFaces& faces, const Contacts& contacts) {
-  const std::vector<SourceId> touched = faces_in_contact(contacts);
   Overlays overlays;
   overlays.slot_of_face.resize(faces.corners.size());
-  for (const auto& [representative, member] : group_by_overlap(contacts, touched)) {
-    const SourceId f = touched[member];
-    if (representative == member) {
+  for (const auto& [representative, f] : group_by_overlap(contacts, number_touched(faces, contacts))) {
+    if (representative == f) {
       const TriangleCorners t = corners_of(faces, f);
       overlays.first_slot.push_back(static_cast<std::uint32_t>(overlays.face.size()));
       overlays.plane.push_back(faces.corners[f]);

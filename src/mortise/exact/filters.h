@@ -60,17 +60,35 @@ struct NearCoordinates {
   }
 }
 
-/// Side of the plane (a, b, c) of input points. Error: 4 units of 2^-53 for each component of the normal, 6 for the
+/// The plane (a, b, c) of input points. Error of a side: 4 units of 2^-53 for each component of the normal, 6 for the
 /// products, 8 for the value; the bound takes 16. A product in the normal that underflows loses less than 2^-1074, which
 /// the smallest normal double added to its size covers.
+class Plane {
+ public:
+  Plane(const Vec3d& a, const Vec3d& b, const Vec3d& c) : origin_(a) {
+    constexpr double underflow = std::numeric_limits<double>::min();
+    const Vec3d p = b - a, q = c - a;
+    const double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
+    normal_ = {yz - zy, zx - xz, xy - yx};
+    size_ = {std::fabs(yz) + std::fabs(zy) + underflow, std::fabs(zx) + std::fabs(xz) + underflow,
+             std::fabs(xy) + std::fabs(yx) + underflow};
+  }
+
+  /// orient3d(a, b, c, d).
+  [[nodiscard]] std::optional<Sign> side_of(const NearPoint& d) const {
+    const Vec3d r = d.point - origin_;
+    const double x_size = size_.x * (std::fabs(r.x) + d.size.x);
+    const double y_size = size_.y * (std::fabs(r.y) + d.size.y);
+    const double z_size = size_.z * (std::fabs(r.z) + d.size.z);
+    return beyond(normal_.x * r.x + normal_.y * r.y + normal_.z * r.z, 0x1p-49 * (x_size + y_size + z_size));
+  }
+
+ private:
+  Vec3d origin_, normal_, size_;
+};
+
 [[nodiscard]] inline std::optional<Sign> orient3d(const Vec3d& a, const Vec3d& b, const Vec3d& c, const NearPoint& d) {
-  constexpr double underflow = std::numeric_limits<double>::min();
-  const Vec3d p = b - a, q = c - a, r = d.point - a;
-  const double yz = p.y * q.z, zy = p.z * q.y, zx = p.z * q.x, xz = p.x * q.z, xy = p.x * q.y, yx = p.y * q.x;
-  const double x_size = (std::fabs(yz) + std::fabs(zy) + underflow) * (std::fabs(r.x) + d.size.x);
-  const double y_size = (std::fabs(zx) + std::fabs(xz) + underflow) * (std::fabs(r.y) + d.size.y);
-  const double z_size = (std::fabs(xy) + std::fabs(yx) + underflow) * (std::fabs(r.z) + d.size.z);
-  return beyond((yz - zy) * r.x + (zx - xz) * r.y + (xy - yx) * r.z, 0x1p-49 * (x_size + y_size + z_size));
+  return Plane(a, b, c).side_of(d);
 }
 
 }  // namespace mortise::filters

@@ -92,12 +92,21 @@ void visit_leaf_pair(std::span<const BoxTree::Item> items_a, std::span<const Box
   }
 }
 
+/// The same for two leaves: most of the first one's boxes do not come near the second.
+template <class Visit>
+void visit_leaves(const BoxTree& a, const BoxTree::Node& leaf_a, const BoxTree& b, const BoxTree::Node& leaf_b, Visit& visit) {
+  const std::span<const BoxTree::Item> items_a = a.items_of(leaf_a), items_b = b.items_of(leaf_b);
+  for (std::size_t i = 0; i < items_a.size(); ++i) {
+    if (boxes_meet(items_a[i].box, leaf_b.box)) visit_leaf_pair(items_a.subspan(i, 1), items_b, visit);
+  }
+}
+
 /// Visits two leaves, or pushes the meeting pairs below two different nodes.
 template <class Visit>
 void descend(const BoxTree& a, const BoxTree& b, NodePair pair, std::vector<NodePair>& stack, Visit& visit) {
   const BoxTree::Node& node_a = a.nodes()[pair.first];
   const BoxTree::Node& node_b = b.nodes()[pair.second];
-  if (node_a.is_leaf() && node_b.is_leaf()) return visit_leaf_pair(a.items_of(node_a), b.items_of(node_b), visit);
+  if (node_a.is_leaf() && node_b.is_leaf()) return visit_leaves(a, node_a, b, node_b, visit);
   if (node_b.is_leaf() || (!node_a.is_leaf() && is_longer(node_a.box, node_b.box))) {
     for (const std::uint32_t child : {node_a.first + 1, node_a.first}) {
       if (boxes_meet(a.nodes()[child].box, node_b.box)) stack.emplace_back(child, pair.second);

@@ -48,9 +48,9 @@ struct Box3 {
   }
 };
 
-/// Do two closed boxes share a point?
+/// Do two closed boxes share a point? All comparisons are made: branches would be guessed wrong.
 [[nodiscard]] constexpr bool boxes_meet(const Box3& a, const Box3& b) {
-  return a.lo.x <= b.hi.x && b.lo.x <= a.hi.x && a.lo.y <= b.hi.y && b.lo.y <= a.hi.y && a.lo.z <= b.hi.z && b.lo.z <= a.hi.z;
+  return (a.lo.x <= b.hi.x) & (b.lo.x <= a.hi.x) & (a.lo.y <= b.hi.y) & (b.lo.y <= a.hi.y) & (a.lo.z <= b.hi.z) & (b.lo.z <= a.hi.z);
 }
 
 }  // namespace mortise

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "mortise/exact/predicates.h"
+#include "mortise/exact/sides_of_plane.h"
 #include "mortise/mesh/find_self_crossings.h"
 
 namespace mortise {
@@ -36,7 +36,13 @@ Corners align(const SurfaceMesh& mesh, const Triangle& t, const Triangle& other,
   return corners;
 }
 
-Sign side_of(const Corners& plane, const Vec3d& p) { return orient3d(plane[0], plane[1], plane[2], p); }
+/// Sides of the corners from `first` on to the plane; those before it lie in it.
+Signs sides_of(const Corners& plane, const Corners& corners, int first) {
+  const SidesOfPlane sides(plane[0], plane[1], plane[2]);
+  Signs signs{Sign::Zero, Sign::Zero, Sign::Zero};
+  for (auto i = static_cast<std::size_t>(first); i < 3; ++i) signs[i] = sides.of(corners[i]);
+  return signs;
+}
 
 bool has(const Signs& signs, Sign sign) { return signs[0] == sign || signs[1] == sign || signs[2] == sign; }
 
@@ -157,17 +163,15 @@ PairMeeting classify_intervals(AlignedPair pair, const Signs& sides_a, const Sig
 
 /// One corner of each triangle is not on the shared edge.
 PairMeeting classify_at_edge(const AlignedPair& pair) {
-  return side_of(pair.a, pair.b[2]) == Sign::Zero ? classify_coplanar(pair) : PairMeeting::Apart;
+  return orient3d(pair.a[0], pair.a[1], pair.a[2], pair.b[2]) == Sign::Zero ? classify_coplanar(pair) : PairMeeting::Apart;
 }
 
 PairMeeting classify_general(const AlignedPair& pair) {
-  Signs sides_b{Sign::Zero, Sign::Zero, Sign::Zero};
-  for (auto i = static_cast<std::size_t>(pair.shared); i < 3; ++i) sides_b[i] = side_of(pair.a, pair.b[i]);
+  const Signs sides_b = sides_of(pair.a, pair.b, pair.shared);
   const bool b_misses_plane = pair.shared == 1 ? sides_b[1] == sides_b[2] && sides_b[1] != Sign::Zero : is_on_one_side(sides_b);
   if (b_misses_plane) return PairMeeting::Apart;
   if (sides_b == Signs{Sign::Zero, Sign::Zero, Sign::Zero}) return classify_coplanar(pair);
-  Signs sides_a{Sign::Zero, Sign::Zero, Sign::Zero};
-  for (auto i = static_cast<std::size_t>(pair.shared); i < 3; ++i) sides_a[i] = side_of(pair.b, pair.a[i]);
+  const Signs sides_a = sides_of(pair.b, pair.a, pair.shared);
   if (pair.shared == 1) return classify_at_corner(sides_a, sides_b);
   return is_on_one_side(sides_a) ? PairMeeting::Apart : classify_intervals(pair, sides_a, sides_b);
 }

@@ -7,6 +7,7 @@
 
 #include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
+#include "mortise/mesh/embedded_fans.h"
 
 namespace mortise {
 namespace {
@@ -21,9 +22,17 @@ std::vector<Box3> boxes_of_faces(const SurfaceMesh& mesh) {
   return boxes;
 }
 
+/// Do the faces share a vertex of an embedded fan?
+bool share_embedded_fan(const std::vector<std::uint8_t>& is_embedded, const Triangle& a, const Triangle& b) {
+  const auto is_shared = [&](VertexId v) { return (v == b[0] || v == b[1] || v == b[2]) && is_embedded[v.index()] != 0; };
+  return is_shared(a[0]) || is_shared(a[1]) || is_shared(a[2]);
+}
+
 template <class Visit>
-void for_each_self_crossing(const SurfaceMesh& mesh, const BoxTree& tree, Visit visit) {
+void for_each_self_crossing(const SurfaceMesh& mesh, const MeshTopology& topology, const BoxTree& tree, Visit visit) {
+  const std::vector<std::uint8_t> is_embedded = find_embedded_fans(mesh, topology);
   for_each_meeting_pair_within(tree, [&](std::uint32_t i, std::uint32_t j) {
+    if (share_embedded_fan(is_embedded, mesh.triangles[i], mesh.triangles[j])) return;
     const SelfCrossing pair{FaceId(i), FaceId(j), classify_meeting(mesh, FaceId(i), FaceId(j))};
     if (pair.kind != PairMeeting::Apart) visit(pair);
   });
@@ -43,16 +52,18 @@ bool triangles_meet_beyond_shared(const SurfaceMesh& mesh, FaceId a, FaceId b) {
 
 std::vector<SelfCrossing> find_self_crossings(const SurfaceMesh& mesh) {
   std::vector<SelfCrossing> pairs;
-  for_each_self_crossing(mesh, BoxTree(boxes_of_faces(mesh)), [&](const SelfCrossing& pair) { pairs.push_back(pair); });
+  for_each_self_crossing(mesh, build_topology(mesh), BoxTree(boxes_of_faces(mesh)), [&](const SelfCrossing& p) { pairs.push_back(p); });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }
 
-SelfCrossingCounts count_self_crossings(const SurfaceMesh& mesh) {
+SelfCrossingCounts count_self_crossings(const SurfaceMesh& mesh) { return count_self_crossings(mesh, build_topology(mesh)); }
+
+SelfCrossingCounts count_self_crossings(const SurfaceMesh& mesh, const MeshTopology& topology) {
   SelfCrossingCounts counts;
   const std::vector<Box3> boxes = boxes_of_faces(mesh);
   for (const Box3& box : boxes) counts.degenerate_faces += box.is_empty() ? 1 : 0;
-  for_each_self_crossing(mesh, BoxTree(boxes), [&](const SelfCrossing& pair) {
+  for_each_self_crossing(mesh, topology, BoxTree(boxes), [&](const SelfCrossing& pair) {
     counts.crossing += pair.kind == PairMeeting::Crossing ? 1 : 0;
     counts.coplanar_overlap += pair.kind == PairMeeting::CoplanarOverlap ? 1 : 0;
     counts.touching += pair.kind == PairMeeting::Touching ? 1 : 0;

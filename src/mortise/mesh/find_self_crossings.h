@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "mortise/mesh/surface_mesh.h"
+#include "mortise/mesh/topology.h"
 
 namespace mortise {
 
@@ -47,5 +47,6 @@ struct SelfCrossingCounts {
 
 /// The number of pairs find_self_crossings finds, without storing them, and of the faces it leaves out.
 [[nodiscard]] SelfCrossingCounts count_self_crossings(const SurfaceMesh& mesh);
+[[nodiscard]] SelfCrossingCounts count_self_crossings(const SurfaceMesh& mesh, const MeshTopology& topology);
 
 }  // namespace mortise

@@ -126,18 +126,6 @@ Box3 bounding_box(const SurfaceMesh& mesh) {
   return box;
 }
 
-double surface_area(const SurfaceMesh& mesh) {
-  if (mesh.triangles.empty()) return 0;
-  const Box3 box = bounding_box(mesh);
-  const int exponent = exponent_of(std::max(largest_size(box.lo), largest_size(box.hi)));
-  DoubleDouble twice_area;
-  for (const Triangle& t : mesh.triangles) {
-    const TriangleShape shape = shape_of(mesh, t);
-    twice_area = twice_area + DoubleDouble{shifted(shape.twice_area, 2 * (shape.exponent - exponent)), 0, 0};
-  }
-  return std::ldexp(twice_area.hi, 2 * exponent - 1);
-}
-
 double enclosed_volume(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return 0;
   const Box3 box = bounding_box(mesh);
@@ -162,16 +150,21 @@ double enclosed_volume(const SurfaceMesh& mesh) {
   return std::ldexp((six_volumes / DoubleDouble{6, 0, 0}).hi, exponents[0] + exponents[1] + exponents[2]);
 }
 
-AngleRange angle_range(const SurfaceMesh& mesh) {
+FaceMeasures measure_faces(const SurfaceMesh& mesh) {
   if (mesh.triangles.empty()) return {};
+  const Box3 box = bounding_box(mesh);
+  const int exponent = exponent_of(std::max(largest_size(box.lo), largest_size(box.hi)));
+  DoubleDouble twice_area;
   Angle smallest{-1, 0}, largest{1, 0};
   for (const Triangle& t : mesh.triangles) {
-    for (const Angle& angle : angles_of(shape_of(mesh, t))) {
+    const TriangleShape shape = shape_of(mesh, t);
+    twice_area = twice_area + DoubleDouble{shifted(shape.twice_area, 2 * (shape.exponent - exponent)), 0, 0};
+    for (const Angle& angle : angles_of(shape)) {
       smallest = std::min(smallest, angle);
       largest = std::max(largest, angle);
     }
   }
-  return {smallest.degrees(), largest.degrees()};
+  return {std::ldexp(twice_area.hi, 2 * exponent - 1), {smallest.degrees(), largest.degrees()}};
 }
 
 }  // namespace mortise

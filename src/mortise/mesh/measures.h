@@ -21,9 +21,6 @@ namespace mortise {
 /// The box round the vertices that faces use; empty without faces.
 [[nodiscard]] Box3 bounding_box(const SurfaceMesh& mesh);
 
-/// The sum of the areas of the faces.
-[[nodiscard]] double surface_area(const SurfaceMesh& mesh);
-
 /// The signed volume a closed surface encloses, positive when it is oriented outwards. Of an open one: that of the cones
 /// from the centre of its box.
 [[nodiscard]] double enclosed_volume(const SurfaceMesh& mesh);
@@ -33,7 +30,14 @@ struct AngleRange {
   double max_deg = 0;
 };
 
-/// Smallest and largest angle of any face; zeros without faces.
-[[nodiscard]] AngleRange angle_range(const SurfaceMesh& mesh);
+struct FaceMeasures {
+  double area = 0;    ///< of all faces together
+  AngleRange angles;  ///< smallest and largest of any face; zeros without faces
+};
+
+[[nodiscard]] FaceMeasures measure_faces(const SurfaceMesh& mesh);
+
+/// The sum of the areas of the faces.
+[[nodiscard]] inline double surface_area(const SurfaceMesh& mesh) { return measure_faces(mesh).area; }
 
 }  // namespace mortise

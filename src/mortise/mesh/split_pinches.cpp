@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mortise/mesh/order_round_edge.h"
+#include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/topology.h"
 #include "mortise/mesh/wedge_partners.h"
 
@@ -32,8 +33,6 @@ void pair_by_wedges(const SurfaceMesh& mesh, const MeshTopology& topology, MeshE
     is_paired[i] = true;
   }
 }
-
-bool repeats_vertex(const Triangle& t) { return t[0] == t[1] || t[1] == t[2] || t[2] == t[0]; }
 
 /// The half-edges that stay joined: two that run against each other.
 std::vector<HalfEdgePair> pair_half_edges(const SurfaceMesh& mesh, const MeshTopology& topology) {
@@ -127,17 +126,20 @@ SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology
   return split;
 }
 
+std::int64_t genus_of(const SplitPinches& split) {
+  const auto faces = static_cast<std::int64_t>(split.mesh.triangles.size());
+  const auto vertices = static_cast<std::int64_t>(split.source.size());
+  const std::int64_t euler = vertices - 3 * faces / 2 + faces;  // every edge has two uses
+  return split.shells.count - euler / 2;
+}
+
 std::optional<std::int64_t> genus_of(const SurfaceMesh& mesh, const MeshTopology& topology) {
   if (!find_unbalanced_edges(mesh, topology).empty()) return std::nullopt;
   if (std::any_of(mesh.triangles.begin(), mesh.triangles.end(), repeats_vertex)) {
     const SurfaceMesh kept = drop_repeating_faces(mesh);
     return genus_of(kept, build_topology(kept));
   }
-  const SplitPinches split = split_pinches(mesh, topology);
-  const auto faces = static_cast<std::int64_t>(mesh.triangles.size());
-  const auto vertices = static_cast<std::int64_t>(split.source.size());
-  const std::int64_t euler = vertices - 3 * faces / 2 + faces;  // every edge has two uses now
-  return split.shells.count - euler / 2;
+  return genus_of(split_pinches(mesh, topology));
 }
 
 }  // namespace mortise

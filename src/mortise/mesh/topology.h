@@ -79,6 +79,9 @@ struct SplitPinches {
 /// touch along an edge come apart. Faces left over where an edge is not balanced are open there. Vertices without faces go.
 [[nodiscard]] SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology);
 
+/// Sum of the genus of all shells of a closed mesh none of whose faces repeats a vertex.
+[[nodiscard]] std::int64_t genus_of(const SplitPinches& split);
+
 /// Sum of the genus of all shells after splitting pinches; nothing unless the surface is closed. Faces that repeat a
 /// vertex do not count.
 [[nodiscard]] std::optional<std::int64_t> genus_of(const SurfaceMesh& mesh, const MeshTopology& topology);
