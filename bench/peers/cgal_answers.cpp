@@ -14,6 +14,9 @@
 #include <CGAL/Polygon_mesh_processing/shape_predicates.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cstdio>
+#include <cstdlib>
+
 #include "measure_cost.h"
 
 namespace mortise::peers {
@@ -93,6 +96,20 @@ std::array<bool, 4> evaluate(const SurfaceMesh& a, const SurfaceMesh& b, const O
   return answered;
 }
 
+/// The union of each run of neighbours.
+std::vector<CgalMesh> unite_runs(std::vector<CgalMesh> meshes, std::size_t run) {
+  std::vector<CgalMesh> united;
+  for (std::size_t i = 0; i < meshes.size(); ++i) {
+    if (i % run == 0) {
+      united.push_back(std::move(meshes[i]));
+    } else if (!pmp::corefine_and_compute_union(united.back(), meshes[i], united.back())) {
+      std::fprintf(stderr, "CGAL cannot make the union manifold\n");
+      std::exit(1);
+    }
+  }
+  return united;
+}
+
 }  // namespace
 
 std::string why_unfit_for_cgal(const SurfaceMesh& mesh) {
@@ -103,6 +120,17 @@ std::string why_unfit_for_cgal(const SurfaceMesh& mesh) {
   if (pmp::does_self_intersect(m)) return "crosses itself";
   if (!pmp::does_bound_a_volume(m)) return "bounds no volume";
   return "";
+}
+
+CostOfUnion cgal_union(std::span<const SurfaceMesh> operands, std::span<const std::size_t> runs) {
+  std::vector<CgalMesh> meshes;
+  for (const SurfaceMesh& mesh : operands) meshes.push_back(cgal_mesh(mesh));
+  CostOfUnion result;
+  result.cost = measure_cost([&] {
+    for (const std::size_t run : runs) meshes = unite_runs(std::move(meshes), run);
+  });
+  result.volume = pmp::volume(meshes.front());
+  return result;
 }
 
 Answers cgal_answers(const SurfaceMesh& a, const SurfaceMesh& b, Depth depth) {
