@@ -337,6 +337,14 @@ bool PointSet::is_representable(PointId p) const {
   return all_of(s.rounding(p), [](const RoundedCoordinate& r) { return r.side == Sign::Zero; });
 }
 
+std::array<DoubleDouble, 3> PointSet::near_offset(PointId p, const Vec3d& origin) const {
+  std::array<DoubleDouble, 3> offset;
+  for (std::size_t i = 0; i < 3; ++i) offset[i] = storage_->rounded(p, i).value() - DoubleDouble{origin[i], 0, 0};
+  return offset;
+}
+
+Homogeneous<BigFloat> PointSet::exact_offset(PointId p, const Vec3d& origin) const { return storage_->exact_about(origin, p); }
+
 Sign PointSet::side_of_plane(const PlanePoints& plane, PointId p) const { return explain_side_of_plane(plane, p).sign; }
 
 Sign PointSet::orient2d(PointId a, PointId b, PointId c, Axis axis) const { return explain_orient2d(a, b, c, axis).sign; }

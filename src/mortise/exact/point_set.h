@@ -16,6 +16,10 @@
 namespace mortise {
 
 using PointId = Id<struct PointTag>;
+class BigFloat;
+struct DoubleDouble;
+template <class T>
+struct Homogeneous;
 
 /// Three input points that span a plane (not on one line).
 using PlanePoints = std::array<PointId, 3>;
@@ -69,6 +73,11 @@ class PointSet {
   [[nodiscard]] Answer explain_side_of_plane(const PlanePoints& plane, PointId p) const;
   [[nodiscard]] Answer explain_orient2d(PointId a, PointId b, PointId c, Axis axis) const;
   [[nodiscard]] Answer explain_compare(PointId a, PointId b, std::size_t coordinate) const;
+
+  /// The point less an origin, within the error bounds that come with the numbers.
+  [[nodiscard]] std::array<DoubleDouble, 3> near_offset(PointId p, const Vec3d& origin) const;
+  /// The same exactly: offset / w, w > 0.
+  [[nodiscard]] Homogeneous<BigFloat> exact_offset(PointId p, const Vec3d& origin) const;
 
  private:
   struct Storage;

@@ -17,16 +17,21 @@ namespace mortise {
 
 namespace {
 
-/// base + quotient as nearest and rest, when the error bound leaves no doubt about the rounding and the side.
-std::optional<RoundedCoordinate> round_certainly(double base, const DoubleDouble& quotient) {
+/// base + quotient as nearest and rest, when the error bound leaves no doubt about the rounding; `side` is that of the rest found.
+std::optional<RoundedCoordinate> round_nearly(double base, const DoubleDouble& quotient) {
   const ExactSum s = two_sum(base, quotient.hi);
   const double tail = s.error + quotient.lo;
   const ExactSum x = two_sum(s.sum, tail);
   const double error = (quotient.error + 0x1p-52 * std::fabs(tail)) * double_double::slack;
-  const double low = x.error - error, high = x.error + error;
-  const bool certain = x.sum + low == x.sum && x.sum + high == x.sum && (low > 0 || high < 0);
+  const bool certain = x.sum + (x.error - error) == x.sum && x.sum + (x.error + error) == x.sum;
   if (!certain || std::fabs(x.sum) < double_double::smallest_certain) return std::nullopt;
   return RoundedCoordinate{x.sum, x.error, error, sign_of(x.error)};
+}
+
+/// The same when there is no doubt about the side either.
+std::optional<RoundedCoordinate> round_certainly(double base, const DoubleDouble& quotient) {
+  const std::optional<RoundedCoordinate> x = round_nearly(base, quotient);
+  return x && (x->rest - x->error > 0 || x->rest + x->error < 0) ? x : std::nullopt;
 }
 
 double approximate_quotient(const BigFloat& a, const BigFloat& b) {
@@ -118,5 +123,12 @@ Vec3d round_homogeneous(const Vec3d& base, Homogeneous<BigFloat> point) {
   for (std::size_t i = 0; i < 3; ++i) rounded[i] = round_exactly(base[i], h.offset[i], h.w).nearest;
   return rounded;
 }
+
+std::optional<double> nearest_sum(double base, const DoubleDouble& offset) {
+  const std::optional<RoundedCoordinate> x = round_nearly(base, offset);
+  return x ? std::optional(x->nearest) : std::nullopt;
+}
+
+double nearest_sum(double base, const BigFloat& offset, const BigFloat& w) { return round_exactly(base, offset, w).nearest; }
 
 }  // namespace mortise

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "mortise/exact/big_float.h"
 #include "mortise/exact/construction.h"
@@ -54,5 +55,12 @@ struct RoundedPoint {
 /// The nearest doubles of base + offset / w, w of any sign but not zero.
 /// @throws Error{OutOfRange} if a coordinate does not fit a double
 [[nodiscard]] Vec3d round_homogeneous(const Vec3d& base, Homogeneous<BigFloat> point);
+
+/// The double nearest to base + offset, ties to even; nothing where the bounds of the offset leave a doubt.
+[[nodiscard]] std::optional<double> nearest_sum(double base, const DoubleDouble& offset);
+
+/// The double nearest to base + offset / w, w > 0, ties to even, never -0.
+/// @throws Error{OutOfRange} if it does not fit a double
+[[nodiscard]] double nearest_sum(double base, const BigFloat& offset, const BigFloat& w);
 
 }  // namespace mortise
