@@ -170,11 +170,13 @@ class DegenerateFaces {
       is_kept_[g.index()] = false;
       return;
     }
+    const FaceData data(mesh_, g);
     repair_.source[f.index()] = repair_.source[g.index()];
     copy_face_marks(g, f, mesh_);
     set_corners(g, {p, middle, w}, mesh_);
     set_corners(f, {middle, q, w}, mesh_);
     for (const FaceId changed : {f, g}) {
+      data.give_to(changed, mesh_);
       edges_.add_face(changed);
       if (is_degenerate(mesh_, changed)) waiting_.push_back(changed);
     }

@@ -195,6 +195,7 @@ void fill(MeshInRepair& repair, const Hole& hole) {
     repair.source.push_back(RepairedMesh::none);
     append_face_marks(mesh, FaceId(neighbour), mesh);
     forget_diagonals(FaceId(mesh.triangles.size() - 1), mesh);
+    forget_corner_data(FaceId(mesh.triangles.size() - 1), mesh);
   }
 }
 

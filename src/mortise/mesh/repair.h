@@ -44,7 +44,7 @@ struct RepairNote {
 };
 
 struct RepairedMesh {
-  SurfaceMesh mesh;                        ///< equal positions welded; vertices without faces left out
+  SurfaceMesh mesh;                        ///< equal positions welded; vertices without faces left out; data at corners, none of fillings
   std::vector<std::uint32_t> source_face;  ///< per face: the one it is or is a part of; none for a filling
   std::vector<VertexId> source_vertex;     ///< per vertex: the lowest one at its position
   std::vector<RepairNote> done;            ///< in the order of the steps; a step that found nothing to do is not in it

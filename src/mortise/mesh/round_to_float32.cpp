@@ -108,9 +108,11 @@ class AreaRepair {
     const VertexId a = origin_of(mesh_, next_in_face(next_in_face(h))), w = origin_of(mesh_, next_in_face(next_in_face(across)));
     const bool runs_back = origin_of(mesh_, across) == v;
     if (!runs_back || a == w || touches_swapped(h) || touches_swapped(across) || are_joined(topology_, a, w)) return false;
+    const FaceData data(mesh_, face_of(across));
     copy_face_marks(face_of(across), face_of(h), mesh_);
     set_corners(face_of(h), {a, u, w}, mesh_);
     set_corners(face_of(across), {w, v, a}, mesh_);
+    for (const FaceId f : {face_of(h), face_of(across)}) data.give_to(f, mesh_);
     touch(h);
     touch(across);
     return true;

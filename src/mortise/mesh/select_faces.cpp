@@ -16,6 +16,7 @@ MeshPart select_faces(const SurfaceMesh& mesh, std::span<const FaceId> faces) {
     const Triangle& t = mesh.triangles[f.index()];
     part.source_vertex.insert(part.source_vertex.end(), t.begin(), t.end());
   }
+  part.mesh.corner_data = without_values(mesh.corner_data);
   std::vector<VertexId>& used = part.source_vertex;
   std::sort(used.begin(), used.end());
   used.erase(std::unique(used.begin(), used.end()), used.end());
@@ -28,6 +29,7 @@ MeshPart select_faces(const SurfaceMesh& mesh, std::span<const FaceId> faces) {
     append_face_marks(mesh, f, part.mesh);
   }
   part.mesh.label_names = mesh.label_names;
+  part.mesh.vertex_data = select_vertex_data(mesh.vertex_data, used);
   return part;
 }
 

@@ -17,7 +17,7 @@ struct MeshPart {
   std::vector<VertexId> source_vertex;  ///< per vertex, ascending
 };
 
-/// These faces in this order, with the vertices they use in the order they have in `mesh`.
+/// These faces in this order, with the vertices they use in the order they have in `mesh`, and the data of both.
 /// O(n log n) in the faces taken.
 [[nodiscard]] MeshPart select_faces(const SurfaceMesh& mesh, std::span<const FaceId> faces);
 

@@ -24,7 +24,7 @@ struct Section {
 ///
 /// A polygon has a point for each edge it crosses and each vertex it meets; polygons of bodies that touch stay apart, and what
 /// has no area is left out. Which side a vertex lies on is decided exactly; each new point is the nearest double of the exact
-/// one, vertices in the plane keep their bits. Where the mesh crosses itself, polygons do.
+/// one, vertices in the plane keep their bits. Where the mesh crosses itself, polygons do. Labels and data are left out.
 /// @throws what validate() throws; Error{InvalidArgument} if the plane is not finite or has no normal; Error{NotClosed} and
 /// Error{NotOriented} naming vertex pairs; Error{OutOfRange} if a point does not fit a double
 /// O(n log n) in faces.

@@ -18,7 +18,7 @@ enum class SplitBy : std::uint8_t {
 
 /// The parts of a mesh in the order of their lowest faces. Equal positions count as one vertex; sources are faces and (lowest)
 /// vertices of `mesh`. Every face is in one part; by regions those that repeat a vertex are in none. Of a mesh with walls (a
-/// partition) a face between two regions is in both, turned with the region behind it; sheets are in none.
+/// partition) a face between two regions is in both, turned with the region behind it; sheets are in none. Data become corner data.
 /// @throws what validate() throws; by regions also Error{NotClosed} and Error{NotOriented} naming vertex pairs, and
 /// Error{InsideOut} naming the faces of a part that runs inwards and is the cavity of nothing
 /// O(n log n), by regions plus a ray for each cavity.

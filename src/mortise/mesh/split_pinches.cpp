@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "mortise/mesh/corner_data.h"
 #include "mortise/mesh/order_round_edge.h"
 #include "mortise/mesh/repeats_vertex.h"
 #include "mortise/mesh/topology.h"
@@ -114,7 +115,7 @@ SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology
   std::sort(fans.begin(), fans.end());
 
   SplitPinches split;
-  split.mesh = {{}, mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals};
+  split.mesh = {{}, mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals, {}, mesh.corner_data};
   std::vector<VertexId> vertex_of_fan(corners.size());
   for (const auto& [vertex, corner] : fans) {
     vertex_of_fan[corner] = VertexId(split.source.size());
@@ -122,6 +123,7 @@ SplitPinches split_pinches(const SurfaceMesh& mesh, const MeshTopology& topology
     split.mesh.points.push_back(mesh.points[vertex.index()]);
   }
   for (std::uint32_t c = 0; c < corners.size(); ++c) split.mesh.triangles[c / 3][c % 3] = vertex_of_fan[corners.find(c)];
+  split.mesh.vertex_data = select_vertex_data(mesh.vertex_data, split.source);
   split.shells = connect_by_pairs(mesh.triangles.size(), pairs);
   return split;
 }

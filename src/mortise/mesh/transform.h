@@ -29,9 +29,16 @@ struct AffineMap {
 /// left out and a factor of one is no operation, so exact maps stay exact for all ranges.
 [[nodiscard]] Vec3d apply(const AffineMap& map, const Vec3d& p);
 
-/// The mesh of the images. A map that mirrors also turns every face over, so that outward stays outward.
+/// The mesh of the images. A map that mirrors also turns every face over, so that outward stays outward. Vectors and normals go
+/// along (transform_data).
 /// @throws Error{InvalidArgument} if the map has no inverse or an entry is not finite; Error{OutOfRange} with the vertices
-/// whose image is not finite
+/// whose image is not finite, or naming the channel of such a vector
 [[nodiscard]] SurfaceMesh transform(const SurfaceMesh& mesh, const AffineMap& map);
+
+/// Data of a mesh moved by an invertible map. Vectors are multiplied by its linear part. Normals stay at right angles to what they
+/// were at right angles to, on the same side of it, and keep their length: bit for bit when the map turns by multiples of 90
+/// degrees, mirrors, scales alike in all directions or translates. All other values stay.
+/// @throws Error{OutOfRange} naming the channel of a vector or normal whose image is not finite
+void transform_data(const AffineMap& map, SurfaceMesh& mesh);
 
 }  // namespace mortise

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "mortise/base/bits.h"
+#include "mortise/mesh/corner_data.h"
 
 namespace mortise {
 namespace {
@@ -65,7 +66,8 @@ WeldedMesh weld(const SurfaceMesh& mesh) {
     if (v.index() == welded.old_vertex.size()) welded.old_vertex.push_back(VertexId(welded.new_vertex.size()));
     welded.new_vertex.push_back(v);
   }
-  welded.mesh = {table.take_positions(), mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals};
+  welded.mesh = {table.take_positions(),  mesh.triangles, mesh.face_labels, mesh.label_names, mesh.walls, mesh.diagonals, {},
+                 all_as_corner_data(mesh)};
   for (Triangle& triangle : welded.mesh.triangles) {
     for (VertexId& vertex : triangle) vertex = welded.new_vertex[vertex.index()];
   }

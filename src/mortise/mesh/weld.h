@@ -17,7 +17,8 @@ struct WeldedMesh {
 
 /// The mesh with one vertex per position: -0 equals +0, the lowest vertex's bits and order are kept.
 ///
-/// All faces stay, in order and with their labels, those that now repeat a vertex too; so do vertices no face uses.
+/// All faces stay, in order and with their labels, those that now repeat a vertex too; so do vertices no face uses. All data become
+/// corner data: vertices at one position may have had different values.
 /// Needs a mesh whose indices are in range. O(n).
 [[nodiscard]] WeldedMesh weld(const SurfaceMesh& mesh);
 
