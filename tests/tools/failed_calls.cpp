@@ -19,6 +19,7 @@
 #include "mortise/mesh/half_space.h"
 #include "mortise/mortise.h"
 #include "support/boolean_scenes.h"
+#include "support/data_checks.h"
 
 using namespace mortise;
 using namespace mortise::test;
@@ -93,8 +94,10 @@ class Digest {
   template <class T>
   requires std::is_trivially_copyable_v<T> Digest& add(const T& value) { return add_bytes(&value, sizeof value); }
   Digest& add(const SurfaceMesh& mesh) {
-    return add(mesh.points).add(mesh.triangles).add(mesh.face_labels).add(mesh.label_names).add(mesh.walls).add(mesh.diagonals);
+    add(mesh.points).add(mesh.triangles).add(mesh.face_labels).add(mesh.label_names).add(mesh.walls).add(mesh.diagonals);
+    return add(mesh.vertex_data).add(mesh.corner_data);
   }
+  Digest& add(const DataChannel& c) { return add(c.name).add(c.components).add(c.kind).add(c.values); }
   Digest& add(const BooleanResult& result) {
     const Provenance& p = result.provenance;
     add(result.mesh).add(p.source_operand).add(p.source_face).add(p.flipped).add(p.category).add(p.covering).add(p.covering_sets);
@@ -118,17 +121,17 @@ class Digest {
 
 // ---- the operands and the calls
 
-/// Coplanar and partial contacts, parts that overlap, a part that crosses itself, a sheet, coordinates far apart, slivers that only a
-/// repair certifies, a solid that is inside out, and a mesh with faults to mend.
+/// Coplanar and partial contacts, parts that overlap, a part that crosses itself, a sheet, coordinates far apart with data, slivers that
+/// only a repair certifies, a solid that is inside out, and a mesh with faults to mend and data.
 struct Operands {
-  std::vector<SurfaceMesh> touching{joined({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}), box({2, 0, 0}, {4, 2, 2}),
+  std::vector<SurfaceMesh> touching{joined({box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})}), with_chart(box({2, 0, 0}, {4, 2, 2})),
                                     make_mesh({{-1, -1, 0.5}, {5, -1, 0.5}, {5, 5, 1.25}, {-1, 5, 1.25}}, {{0, 1, 2}, {0, 2, 3}})};
   std::vector<SurfaceMesh> crossing{pentagram_prism(0, 2), box({-0.5, -0.5, -1}, {0.5, 0.5, 3})};
-  std::vector<SurfaceMesh> slanted{box({0, 0, 0}, {1, 1, 1}),
-                                   tetrahedron({0.3, 1e-170, -0.5}, {1.7, 0.3, 1e-160}, {0.2, 1.6, 0.5}, {1e-150, 0.3, 1.9})};
+  std::vector<SurfaceMesh> slanted{with_chart(box({0, 0, 0}, {1, 1, 1})),
+                                   with_chart(tetrahedron({0.3, 1e-170, -0.5}, {1.7, 0.3, 1e-160}, {0.2, 1.6, 0.5}, {1e-150, 0.3, 1.9}))};
   std::vector<SurfaceMesh> slivers{make_icosphere(1, 0), transform(make_icosphere(1, 0), rotation(Axis::X, 1e-13))};
   std::vector<SurfaceMesh> refused{box({0, 0, 0}, {2, 2, 2}), inside_out(box({1, 1, 1}, {3, 3, 3}))};
-  std::vector<SurfaceMesh> faulty{faulty_box()};
+  std::vector<SurfaceMesh> faulty{with_chart(faulty_box())};
   SurfaceMesh hill = make_mesh({{0, 0, 1}, {2, 0, 1}, {2, 2, 1}, {0, 2, 1}, {1, 1, 2}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}});
 
   [[nodiscard]] unsigned long long digest() const {

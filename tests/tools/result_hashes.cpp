@@ -9,6 +9,7 @@
 #include <fstream>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
@@ -19,6 +20,7 @@
 #include "mortise/mesh/round_to_float32.h"
 #include "support/boolean_scenes.h"
 #include "support/data.h"
+#include "support/data_checks.h"
 #include "support/scene_list.h"
 
 using namespace mortise;
@@ -40,6 +42,9 @@ void write_array(const fs::path& path, const std::vector<T>& values) {
 void write_surface(const std::string& prefix, const SurfaceMesh& mesh) {
   write_array(prefix + "positions", mesh.points);
   write_array(prefix + "triangles", mesh.triangles);
+  for (const auto* channels : {&mesh.vertex_data, &mesh.corner_data}) {
+    for (const DataChannel& c : *channels) write_array(prefix + "data." + c.name, c.values);
+  }
   if (mesh.face_labels.empty()) return;
   write_array(prefix + "faceLabels", mesh.face_labels);
   std::string names;
@@ -147,16 +152,26 @@ void write_operands(const fs::path& folder, const std::string& name, const std::
   for (std::size_t k = 0; k < operands.size(); ++k) write_surface((folder / ("operand" + std::to_string(k) + ".")).string(), operands[k]);
 }
 
+/// All operands but the second, in every scene that is generated, carry data.
+std::vector<SurfaceMesh> with_data(std::vector<SurfaceMesh> operands) {
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    if (k != 1) operands[k] = test::with_chart(std::move(operands[k]));
+  }
+  return operands;
+}
+
 void write_small_scene(const fs::path& folder, const test::Scene& scene) {
-  write_operands(folder, scene.name, scene.operands);
+  const std::vector<SurfaceMesh> operands = with_data(scene.operands);
+  write_operands(folder, scene.name, operands);
   for (const std::string& word : test::default_words()) {
-    write_outcome((folder / (word + ".")).string(), word, test::pointers_to(scene.operands));
+    write_outcome((folder / (word + ".")).string(), word, test::pointers_to(operands));
   }
 }
 
 void write_listed_scene(const fs::path& folder, const test::ListedScene& scene) {
   std::vector<SurfaceMesh> operands;
   for (const std::string& text : scene.operands) operands.push_back(test::load_operand(text));
+  if (!scene.needs_data) operands = with_data(std::move(operands));
   write_operands(folder, scene.name, operands);
   for (const test::Evaluation& evaluation : scene.evaluations) {
     std::vector<const SurfaceMesh*> chosen;

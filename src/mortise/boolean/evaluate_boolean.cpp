@@ -16,6 +16,7 @@
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
 #include "mortise/boolean/refuse_operands.h"
+#include "mortise/boolean/transfer_data.h"
 
 namespace mortise {
 namespace {
@@ -108,6 +109,12 @@ void refuse_unbounded(std::string_view name, const OperandFaces& faces, const Fa
   }
 }
 
+std::vector<DataChannel> transfer_to(const BooleanResult& result, const ExactOperands& source, std::vector<DataChannel> channels,
+                                     const ProgressCallback& progress) {
+  transfer_data(source, triangles_in_faces(source.faces, result), channels, progress);
+  return channels;
+}
+
 std::vector<SheetOperand> sheets_of(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces) {
   std::vector<SheetOperand> sheets;
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
@@ -118,14 +125,15 @@ std::vector<SheetOperand> sheets_of(std::span<const SurfaceMesh* const> operands
 
 }  // namespace
 
-BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
-                                 const BooleanOptions& options) {
+EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+                                              const BooleanOptions& options) {
   BooleanResult result;
   BooleanReport& report = result.report;
   std::vector<StageTime>& times = report.stages;
   if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
   report_progress(options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  std::vector<DataChannel> channels = join_channels(operands);
   mark_half_spaces(options.half_spaces, faces);
   const Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
   refuse_operands(operands, faces, arrangement.categories);
@@ -145,8 +153,18 @@ BooleanResult evaluate_selection(std::string_view name, const Selector& select, 
   report.sheets = sheets_of(operands, faces);
   result.mesh = std::move(rounded.merged.mesh);
   result.provenance = std::move(rounded.merged.provenance);
+  const std::vector<PointId>& points = rounded.merged.point_of_vertex;
+  if (!channels.empty()) {
+    const auto transfer = [&] { return transfer_to(result, {operands, faces, points}, std::move(channels), options.progress); };
+    result.mesh.corner_data = timed(times, "transfer_data", transfer);
+  }
   report_progress(options.progress, "certify", 1);
-  return result;
+  return {std::move(result), std::move(faces), std::move(rounded.merged.point_of_vertex)};
+}
+
+BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+                                 const BooleanOptions& options) {
+  return evaluate_selection_exactly(name, select, operands, options).result;
 }
 
 BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {

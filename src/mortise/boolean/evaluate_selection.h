@@ -6,6 +6,7 @@
 #include <functional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/select.h"
@@ -21,5 +22,16 @@ using Selector = std::function<Selection(const OperandFaces&, const Facets&, con
 /// @throws what evaluate_boolean does, and what `select` does
 [[nodiscard]] BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
                                                const BooleanOptions& options);
+
+/// A result, and where its vertices are exactly.
+struct EvaluatedSelection {
+  BooleanResult result;
+  OperandFaces faces;
+  std::vector<PointId> point_of_vertex;
+};
+
+/// The same for those who have more to ask of the arrangement.
+[[nodiscard]] EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select,
+                                                            std::span<const SurfaceMesh* const> operands, const BooleanOptions& options);
 
 }  // namespace mortise

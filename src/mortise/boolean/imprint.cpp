@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "mortise/boolean/evaluate_selection.h"
 #include "mortise/boolean/facet_sources.h"
+#include "mortise/boolean/transfer_data.h"
 #include "mortise/mesh/face_marks.h"
 
 namespace mortise {
@@ -105,13 +107,34 @@ class OperandReader {
   ImprintedOperand result_;
 };
 
+// Data of an operand on its triangles, each of which runs as its face.
+std::vector<DataChannel> data_of(OperandId k, const EvaluatedSelection& evaluated, std::span<const SurfaceMesh* const> operands,
+                                 const std::vector<OperandTriangle>& triangles) {
+  const SurfaceMesh* const given = operands[k.index()];
+  std::vector<DataChannel> channels = join_channels({&given, 1});
+  if (channels.empty()) return channels;
+  std::vector<TriangleInFace> in_faces;
+  for (const OperandTriangle& t : triangles) {
+    Triangle corners = evaluated.result.mesh.triangles[t.facet];
+    if (t.is_flipped) std::swap(corners[1], corners[2]);
+    in_faces.push_back({corners, SourceId(std::size_t{evaluated.faces.first[k]} + t.face), false});
+  }
+  transfer_data({operands, evaluated.faces, evaluated.point_of_vertex}, in_faces, channels, {});
+  return channels;
+}
+
 }  // namespace
 
 ImprintResult imprint(std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
-  ImprintResult result{evaluate_selection("imprint", select_all, operands, options), {}};
-  const auto triangles = triangles_by_operand(result.whole.provenance, operands.size());
-  OperandReader reader(result.whole.mesh);
-  for (std::size_t k = 0; k < operands.size(); ++k) result.operands.push_back(reader.read(*operands[k], triangles[k]));
+  EvaluatedSelection evaluated = evaluate_selection_exactly("imprint", select_all, operands, options);
+  ImprintResult result;
+  const auto triangles = triangles_by_operand(evaluated.result.provenance, operands.size());
+  OperandReader reader(evaluated.result.mesh);
+  for (std::size_t k = 0; k < operands.size(); ++k) {
+    result.operands.push_back(reader.read(*operands[k], triangles[k]));
+    result.operands.back().mesh.corner_data = data_of(OperandId(k), evaluated, operands, triangles[k]);
+  }
+  result.whole = std::move(evaluated.result);
   return result;
 }
 

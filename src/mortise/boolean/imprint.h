@@ -13,7 +13,7 @@ namespace mortise {
 
 /// An operand after an imprint: the same surface, with the edges of all its contacts.
 struct ImprintedOperand {
-  SurfaceMesh mesh;                          ///< in the order of the faces; orientation, labels and their names as in the operand
+  SurfaceMesh mesh;                          ///< in the order of the faces; orientation, labels and their names as in the operand; its data
   std::vector<std::uint32_t> vertex_ids;     ///< per vertex: its number in ImprintResult::whole, ascending
   std::vector<std::uint32_t> facet_ids;      ///< per triangle: its number in ImprintResult::whole
   std::vector<std::uint32_t> source_vertex;  ///< per vertex: the lowest vertex of the operand there; Provenance::none for a made one

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "mortise/mesh/corner_data.h"
+
 namespace mortise {
 namespace {
 
@@ -21,6 +23,15 @@ void keep_other_sources(Provenance& p, const std::vector<std::uint8_t>& is_kept)
   keep_marked(p.other_source_face, keeps_entry);
   keep_marked(p.other_source_flipped, keeps_entry);
   p.other_source_begin = std::move(begin);
+}
+
+void keep_corner_data(const std::vector<std::uint8_t>& is_kept, SurfaceMesh& mesh) {
+  if (mesh.corner_data.empty()) return;
+  std::size_t next = 0;
+  for (std::size_t t = 0; t < is_kept.size(); ++t) {
+    if (is_kept[t] != 0) copy_corner_data(FaceId(t), FaceId(next++), mesh);
+  }
+  resize_corner_data(mesh);
 }
 
 std::vector<std::uint8_t> drop_unused_vertices(SurfaceMesh& mesh, Provenance& provenance) {
@@ -50,6 +61,7 @@ std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kep
   keep_marked(mesh.face_labels, is_kept);
   keep_marked(mesh.walls, is_kept);
   keep_marked(mesh.diagonals, is_kept);
+  keep_corner_data(is_kept, mesh);
   keep_marked(provenance.source_operand, is_kept);
   keep_marked(provenance.source_face, is_kept);
   keep_marked(provenance.flipped, is_kept);

@@ -62,7 +62,7 @@ struct BooleanReport {
 };
 
 struct BooleanResult {
-  SurfaceMesh mesh;  ///< labels: the label of the source face; names of all operands, equal names merged
+  SurfaceMesh mesh;  ///< labels and data: those of the source face (the first source), at corners; equal names of operands are one
   Provenance provenance;
   IntersectionGraph graph;
   BooleanReport report;

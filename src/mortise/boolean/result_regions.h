@@ -41,7 +41,7 @@ void correct_by_regions(const BooleanResult& result, const ResultRegions& region
 /// Operands with a wall that has the same region on both sides: sheets that end within a region divide nothing there. Ascending.
 [[nodiscard]] std::vector<std::uint32_t> find_idle_sheets(const BooleanResult& result, const ResultRegions& regions);
 
-/// The boundary of one region as a mesh of its own, the region behind its faces.
+/// The boundary of one region as a mesh of its own, the region behind its faces; without labels and data (split_parts keeps them).
 [[nodiscard]] SurfaceMesh region_mesh(const BooleanResult& result, const ResultRegions& regions, std::uint32_t region);
 
 }  // namespace mortise
