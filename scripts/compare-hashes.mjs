@@ -29,8 +29,9 @@ const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.
 const textBytes = (text) => new TextEncoder().encode(text);
 
 /** The arrays of a mesh with their names. */
-function arraysOfMesh(prefix, { positions, triangles, faceLabels, labelNames }) {
-  const surface = [[`${prefix}positions`, bytesOf(positions)], [`${prefix}triangles`, bytesOf(triangles)]];
+function arraysOfMesh(prefix, { positions, triangles, vertexData, cornerData, faceLabels, labelNames }) {
+  const data = Object.entries({ ...vertexData, ...cornerData }).map(([name, { values }]) => [`${prefix}data.${name}`, bytesOf(values)]);
+  const surface = [[`${prefix}positions`, bytesOf(positions)], [`${prefix}triangles`, bytesOf(triangles)], ...data];
   if (faceLabels === undefined) return surface;
   return [...surface, [`${prefix}faceLabels`, bytesOf(faceLabels)], [`${prefix}labelNames`, textBytes(labelNames.map((name) => `${name}\n`).join(''))]];
 }
@@ -70,6 +71,17 @@ function operandOf(text) {
   const mesh = words[0] === 'make' ? makeShape(words[1], words.slice(2).map(Number)) : mortise.readMesh(join(dataFolder, words[0]));
   const steps = moves.trim() === '' ? [] : moves.trim().split(/\s+/).map(stepOf);
   return steps.reduce((moved, step) => mortise.transform(moved, [step]), mesh);
+}
+
+/** Data as the native tool gives to all operands but the second: linear functions of the position. */
+function withData(operands) {
+  const chart = ([x, y, z]) => [0.75 * x - 0.5 * y + 0.25 * z, 0.5 * x + 0.25 * y - 1 * z];
+  return operands.map((mesh, k) => {
+    if (k === 1) return mesh;
+    const values = [];
+    for (let i = 0; i < mesh.positions.length; i += 3) values.push(...chart(mesh.positions.subarray(i, i + 3)));
+    return { ...mesh, vertexData: { uv: { components: 2, values: Float64Array.from(values) } } };
+  });
 }
 
 /** Operands as the native tool wrote them. */
@@ -165,10 +177,12 @@ function compareScene(folder, { operands, evaluations }) {
 
 /** The scene a folder was written for. */
 function sceneOf(folderName, folder, lines) {
-  if (!folderName.startsWith('listed-')) return { operands: storedOperands(folder), evaluations: evaluationsOf([]) };
+  if (!folderName.startsWith('listed-')) return { operands: withData(storedOperands(folder)), evaluations: evaluationsOf([]) };
   const [line, ...following] = lines.slice(Number(folderName.slice('listed-'.length)) - 1);
   const end = following.findIndex((text) => !text.startsWith(' '));
-  return { operands: line.slice(line.indexOf(' : ') + 3).split('|').map(operandOf), evaluations: evaluationsOf(following.slice(0, end)) };
+  const texts = line.slice(line.indexOf(' : ') + 3).split('|');
+  const operands = texts.map(operandOf), isGenerated = texts.every((text) => text.trim().startsWith('make '));
+  return { operands: isGenerated ? withData(operands) : operands, evaluations: evaluationsOf(following.slice(0, end)) };
 }
 
 const byNumber = (a, b) => a.localeCompare(b, 'en', { numeric: true });

@@ -3,6 +3,8 @@
 // Copies between JavaScript's typed arrays and the library's plain arrays.
 #include "arrays.h"
 
+#include <utility>
+
 #include "mortise/mesh/validate.h"
 
 namespace mortise::wasm {
@@ -44,6 +46,38 @@ std::vector<std::uint8_t> bytes_of_faces(const val& array) {
   return bytes;
 }
 
+DataKind kind_from(const std::string& name) {
+  return name == "normal" ? DataKind::Normal : name == "vector" ? DataKind::Vector : DataKind::Value;
+}
+
+std::vector<DataChannel> channels_in(const val& array) {
+  std::vector<DataChannel> channels;
+  const std::size_t count = array.isUndefined() ? 0 : length_of(array);
+  for (std::size_t i = 0; i < count; ++i) {
+    const val object = array[i];
+    DataChannel channel{
+        object["name"].as<std::string>(), object["components"].as<std::uint32_t>(), kind_from(object["kind"].as<std::string>()), {}};
+    const val values = object["values"];
+    channel.values.resize(length_of(values));
+    copy_in<double>(values, channel.values);
+    channels.push_back(std::move(channel));
+  }
+  return channels;
+}
+
+void set_channels(val& mesh, const char* key, const std::vector<DataChannel>& channels) {
+  if (channels.empty()) return;
+  val object = val::object();
+  for (const DataChannel& channel : channels) {
+    val entry = val::object();
+    entry.set("components", channel.components);
+    entry.set("values", copy_out(channel.values));
+    if (channel.kind != DataKind::Value) entry.set("kind", std::string(channel.kind == DataKind::Normal ? "normal" : "vector"));
+    object.set(channel.name, entry);
+  }
+  mesh.set(key, object);
+}
+
 SurfaceMesh unchecked_mesh_in(const val& object) {
   SurfaceMesh mesh;
   const val positions = object["positions"];
@@ -53,6 +87,8 @@ SurfaceMesh unchecked_mesh_in(const val& object) {
   mesh.triangles = triangles.isUndefined() ? triangles_in_order(mesh.points.size()) : triangles_in(triangles);
   mesh.walls = bytes_of_faces(object["walls"]);
   mesh.diagonals = bytes_of_faces(object["diagonals"]);
+  mesh.vertex_data = channels_in(object["vertexData"]);
+  mesh.corner_data = channels_in(object["cornerData"]);
   const val labels = object["faceLabels"];
   if (labels.isUndefined()) return mesh;
   mesh.face_labels.resize(length_of(labels));
@@ -93,6 +129,8 @@ val mesh_out(const SurfaceMesh& mesh) {
   object.set("triangles", copy_out(numbers_of(mesh.triangles)));
   if (!mesh.walls.empty()) object.set("walls", copy_out(mesh.walls));
   if (!mesh.diagonals.empty()) object.set("diagonals", copy_out(mesh.diagonals));
+  set_channels(object, "vertexData", mesh.vertex_data);
+  set_channels(object, "cornerData", mesh.corner_data);
   if (mesh.face_labels.empty()) return object;
   object.set("faceLabels", copy_out(mesh.face_labels));
   object.set("labelNames", strings_out(mesh.label_names));

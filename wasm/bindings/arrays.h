@@ -44,12 +44,13 @@ void copy_in(const emscripten::val& array, std::span<T> numbers) {
 [[nodiscard]] std::vector<std::string> strings_in(const emscripten::val& array);
 [[nodiscard]] emscripten::val strings_out(const std::vector<std::string>& strings);
 
-/// The valid mesh of {positions, triangles?, walls?, diagonals?, faceLabels?, labelNames?}, typed arrays of the right length. Without
-/// triangles every three points are one.
+/// The valid mesh of {positions, triangles?, walls?, diagonals?, faceLabels?, labelNames?, vertexData?, cornerData?}, typed arrays of the
+/// right length; data are arrays of {name, components, kind, values}. Without triangles every three points are one.
 /// @throws what validate() throws
 [[nodiscard]] SurfaceMesh mesh_in(const emscripten::val& object);
 
-/// {positions, triangles, walls?, diagonals?, faceLabels?, labelNames?}.
+/// {positions, triangles, walls?, diagonals?, faceLabels?, labelNames?, vertexData?, cornerData?}; data are {components, values, kind?} by
+/// name.
 [[nodiscard]] emscripten::val mesh_out(const SurfaceMesh& mesh);
 
 /// The plane of [nx, ny, nz, d], a Float64Array.

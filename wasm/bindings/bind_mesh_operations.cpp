@@ -8,7 +8,9 @@
 
 #include "arrays.h"
 #include "border.h"
+#include "mortise/mesh/corners_to_vertices.h"
 #include "mortise/mesh/extrude_to.h"
+#include "mortise/mesh/group_by_label.h"
 #include "mortise/mesh/repair.h"
 #include "mortise/mesh/slice.h"
 #include "mortise/mesh/split_parts.h"
@@ -110,6 +112,33 @@ val slice_mesh(const val& mesh, const val& numbers) {
   });
 }
 
+val make_corners_vertices(const val& mesh, double missing) {
+  return answer([&] {
+    const MeshOfVertices result = corners_to_vertices(mesh_in(mesh), missing);
+    val object = mesh_out(result.mesh);
+    object.set("sourceVertex", ids_out(result.source_vertex));
+    return object;
+  });
+}
+
+/// Groups count in indices of `triangles`, as renderers do.
+val group_mesh_by_label(const val& mesh) {
+  return answer([&] {
+    const GroupedMesh grouped = group_by_label(mesh_in(mesh));
+    val groups = val::array();
+    for (const FaceGroup& g : grouped.groups) {
+      val group = val::object();
+      group.set("start", 3.0 * g.first);
+      group.set("count", 3.0 * g.count);
+      group.set("materialIndex", g.label);
+      groups.call<void>("push", group);
+    }
+    val object = part_out(grouped.part);
+    object.set("groups", groups);
+    return object;
+  });
+}
+
 }  // namespace
 
 EMSCRIPTEN_BINDINGS(mortise_mesh_operations) {
@@ -118,6 +147,8 @@ EMSCRIPTEN_BINDINGS(mortise_mesh_operations) {
   emscripten::function("repairMesh", &repair_mesh);
   emscripten::function("extrudeTo", &extrude_mesh_to);
   emscripten::function("sliceMesh", &slice_mesh);
+  emscripten::function("cornersToVertices", &make_corners_vertices);
+  emscripten::function("groupByLabel", &group_mesh_by_label);
 }
 
 }  // namespace mortise::wasm

@@ -3,24 +3,14 @@
 // Checks what a caller hands in before it crosses into the core, and says what to do instead.
 // @ts-check
 
+import { checkData } from './data_channels.js';
 import { MeshError, invalidArgument } from './errors.js';
+import { describe, isNumberArray } from './values.js';
+
+export { describe };
 
 const mostImpliedLabels = 65536;
 const mostIndex = 0xffffffff;
-
-/** @param {unknown} value */
-function isNumberArray(value) {
-  return ArrayBuffer.isView(value) && !(value instanceof DataView) && !(value instanceof BigInt64Array) && !(value instanceof BigUint64Array);
-}
-
-/** What a value is, in words for an error message. @param {unknown} value */
-export function describe(value) {
-  if (value === null) return 'null';
-  if (Array.isArray(value)) return 'an array';
-  if (typeof value === 'string') return `the string ${JSON.stringify(value.slice(0, 40))}`;
-  if (typeof value !== 'object') return `${typeof value} ${String(value)}`;
-  return `an object of type ${value.constructor?.name ?? 'Object'}`;
-}
 
 /**
  * Coordinates as a typed array of 32 or 64 bit floats, three per vertex.
@@ -159,11 +149,13 @@ export function checkMesh(mesh, name) {
   const positions = checkPositions(mesh.positions, name);
   if (mesh.triangles === undefined || mesh.triangles === null) {
     checkTriples(positions.length / 3, `${name} has no triangles, so its vertices count in threes; it`);
-    return { positions, ...checkMarks(mesh, positions.length / 9, name) };
+    const vertices = positions.length / 3;
+    return { positions, ...checkMarks(mesh, vertices / 3, name), ...checkData(mesh, { vertices, corners: vertices }, name) };
   }
   const triangles = checkIndices(mesh.triangles, `${name}.triangles`, 3);
   checkTriples(triangles.length, `${name}.triangles`);
-  return { positions, triangles, ...checkMarks(mesh, triangles.length / 3, name) };
+  const places = { vertices: positions.length / 3, corners: triangles.length };
+  return { positions, triangles, ...checkMarks(mesh, triangles.length / 3, name), ...checkData(mesh, places, name) };
 }
 
 /** @param {unknown} value @param {string} name */

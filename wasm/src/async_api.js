@@ -77,6 +77,10 @@ export function createAsyncApi(compileFrom, host) {
     extrudeTo: later('extrudeTo'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
+    /** @type {typeof import('./index.js').cornersToVertices} */
+    cornersToVertices: later('cornersToVertices'),
+    /** @type {typeof import('./index.js').groupByLabel} */
+    groupByLabel: later('groupByLabel'),
     /** @type {typeof import('./index.js').writeMesh} */
     writeMesh: later('writeMesh'),
     readMesh,

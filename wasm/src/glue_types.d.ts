@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 // What the bindings export; the glue the compiler writes carries no types.
 
-import type { BooleanResult, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart, PinchFreeMesh, RepairedMesh, Report, Section } from './index.js';
+import type { BooleanResult, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
+import type { PinchFreeMesh, RepairedMesh, Report, Section, VertexMesh } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -17,6 +18,15 @@ export interface CheckedMesh {
   labelNames?: string[];
   walls?: Uint8Array;
   diagonals?: Uint8Array;
+  vertexData?: CheckedChannel[];
+  cornerData?: CheckedChannel[];
+}
+
+export interface CheckedChannel {
+  name: string;
+  components: number;
+  kind: 'value' | 'vector' | 'normal';
+  values: Float64Array | Float32Array;
 }
 
 /** A mesh, or all behind a plane. */
@@ -43,6 +53,8 @@ export interface Core {
   splitPinches(mesh: CheckedMesh): Answer<PinchFreeMesh>;
   repairMesh(mesh: CheckedMesh, steps: string[]): Answer<RepairedMesh>;
   extrudeTo(mesh: CheckedMesh, z: number): Answer<Mesh>;
+  cornersToVertices(mesh: CheckedMesh, missing: number): Answer<VertexMesh>;
+  groupByLabel(mesh: CheckedMesh): Answer<GroupedMesh>;
   sliceMesh(mesh: CheckedMesh, plane: Float64Array): Answer<Section>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;

@@ -2,6 +2,24 @@
 // SPDX-License-Identifier: MIT
 // The declarations of the package: exact booleans of triangle meshes.
 
+/** A quantity with values at the vertices of a mesh, or at the corners of its triangles; linear on each triangle. */
+export interface DataChannel {
+  /** Numbers per vertex or per corner. */
+  components: number;
+  /** NaN where there is no value. */
+  values: Float64Array;
+  /** 'vector': moves along with the mesh. 'normal': the same, and turns round with a triangle that is flipped. Otherwise 'value', not stated. */
+  kind?: 'vector' | 'normal';
+}
+
+/** What meshes that are handed in may have for a channel; an attribute of three.js with its `itemSize` and `array` will do. */
+export type DataInput = ({ components: number; values: NumberArray } | { itemSize: number; array: NumberArray }) & {
+  /** Default: 'normal' for a channel of three components with the name `normal`, else 'value'. */
+  kind?: 'value' | 'vector' | 'normal';
+};
+
+export type NumberArray = Float64Array | Float32Array | ArrayLike<number>;
+
 /** A mesh as plain arrays. Three coordinates per vertex, three vertex indices per triangle, counterclockwise from outside. */
 export interface Mesh {
   positions: Float64Array;
@@ -20,6 +38,10 @@ export interface Mesh {
    * read so; polygons that an operation left whole are written as polygons again.
    */
   diagonals?: Uint8Array;
+  /** Channels by name, with values for each vertex. */
+  vertexData?: Record<string, DataChannel>;
+  /** Channels by name, with values for each corner of each triangle: those of triangle t begin at 3 t components. Results have these. */
+  cornerData?: Record<string, DataChannel>;
 }
 
 /** What every function takes for a mesh. Without `triangles`, every three vertices are a triangle. Never changed. */
@@ -30,6 +52,9 @@ export interface MeshInput {
   labelNames?: readonly string[];
   walls?: Uint8Array;
   diagonals?: Uint8Array;
+  /** uv, normals, colours, temperatures, by name. Results have them at corners; nothing is interpolated across triangles of other meshes. */
+  vertexData?: Record<string, DataInput>;
+  cornerData?: Record<string, DataInput>;
 }
 
 /**
@@ -259,6 +284,18 @@ export interface MeshPart extends Mesh {
   sourceVertex: Uint32Array;
 }
 
+/** A mesh whose data all are `vertexData`. */
+export interface VertexMesh extends Mesh {
+  /** Per vertex: the vertex it is a copy of. */
+  sourceVertex: Uint32Array;
+}
+
+/** A mesh whose triangles are in runs of one label. */
+export interface GroupedMesh extends MeshPart {
+  /** As three.js has them: `start` and `count` in numbers of `triangles`, `materialIndex` an index into `labelNames`. */
+  groups: { start: number; count: number; materialIndex: number }[];
+}
+
 export interface SplitOptions {
   /**
    * 'components' (the default): triangles connected through edges; what meets in a vertex only comes apart.
@@ -419,6 +456,8 @@ export interface Mortise {
   repair(mesh: MeshInput, steps: RepairSteps): RepairedMesh;
   extrudeTo(mesh: MeshInput, options: { z: number }): Mesh;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
+  cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;
+  groupByLabel(mesh: MeshInput): GroupedMesh;
   readMesh(source: string | URL | Uint8Array | ArrayBuffer, options?: ReadOptions): Mesh;
   writeMesh(path: string | URL, mesh: MeshInput, options?: WriteOptions): void;
   writeMesh(mesh: MeshInput, options: { format: Format }): Uint8Array;
@@ -517,6 +556,15 @@ export function extrudeTo(mesh: MeshInput, options: { z: number }): Promise<Mesh
  * plane counts when the inside is behind it.
  */
 export function slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Promise<Section>;
+
+/**
+ * The mesh with corner data as vertex data, for buffers of a graphics card: vertices are copied where values differ. `missing` (default 0) is
+ * put where there is no value; a normal that is missing becomes that of its triangle.
+ */
+export function cornersToVertices(mesh: MeshInput, options?: { missing?: number }): Promise<VertexMesh>;
+
+/** The triangles of each label in one run, for a renderer with a material for each. */
+export function groupByLabel(mesh: MeshInput): Promise<GroupedMesh>;
 
 /** The mesh in a file (Node) or in bytes: equal positions welded, polygons triangulated, names as labels. */
 export function readMesh(source: string | URL | Uint8Array | ArrayBuffer | Blob, options?: ReadOptions): Promise<Mesh>;

@@ -28,7 +28,7 @@ function checkSteps(options) {
 
 /**
  * @param {Ask} ask
- * @returns {Pick<import('./index.js').Mortise, 'split' | 'splitPinches' | 'repair' | 'extrudeTo' | 'slice'>}
+ * @returns {Pick<import('./index.js').Mortise, 'split' | 'splitPinches' | 'repair' | 'extrudeTo' | 'slice' | 'cornersToVertices' | 'groupByLabel'>}
  */
 export function meshOperations(ask) {
   return {
@@ -56,6 +56,15 @@ export function meshOperations(ask) {
       const checked = checkMesh(mesh, 'mesh');
       const plane = checkPlane(checkOptions(options, ['plane']).plane);
       return ask((core) => core.sliceMesh(checked, plane), [checked]);
+    },
+    cornersToVertices: (mesh, options) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const missing = checkNumber(checkOptions(options, ['missing']).missing ?? 0, 'missing');
+      return ask((core) => core.cornersToVertices(checked, missing), [checked]);
+    },
+    groupByLabel: (mesh) => {
+      const checked = checkMesh(mesh, 'mesh');
+      return ask((core) => core.groupByLabel(checked), [checked]);
     },
   };
 }

@@ -25,6 +25,8 @@ export declare const splitPinches: typeof mortise.splitPinches;
 export declare const repair: typeof mortise.repair;
 export declare const extrudeTo: typeof mortise.extrudeTo;
 export declare const slice: typeof mortise.slice;
+export declare const cornersToVertices: typeof mortise.cornersToVertices;
+export declare const groupByLabel: typeof mortise.groupByLabel;
 export declare const readMesh: typeof mortise.readMesh;
 export declare const writeMesh: typeof mortise.writeMesh;
 export declare const load: typeof mortise.load;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, extrudeTo, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair } from 'mortise';
+import { combine, cornersToVertices, extrudeTo, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair } from 'mortise';
 import { resolve, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
-import type { BooleanResult, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
+import type { BooleanResult, DataChannel, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -56,6 +56,13 @@ const step: 'orient' | undefined = repaired.done[0].step === 'orient' ? repaired
 const solid: Mesh = await extrudeTo(repaired.mesh, { z: -1 });
 const polygons: Float64Array[] = (await slice(solid, { plane: [0, 0, 1, 0.5] })).polygons;
 
+const painted: MeshInput = { ...box, vertexData: { uv: { components: 2, values: [0, 1] }, normal: { itemSize: 3, array: new Float32Array(3), kind: 'normal' } } };
+const uv: DataChannel | undefined = (await union(painted, box)).mesh.cornerData?.uv;
+const copies: Uint32Array = (await cornersToVertices(pair.mesh, { missing: 1 })).sourceVertex;
+const starts: number[] = (await groupByLabel(pair.mesh)).groups.map(({ start }) => start);
+// @ts-expect-error no such kind
+await union({ ...box, vertexData: { uv: { components: 2, values: [], kind: 'texture' } } }, box);
+
 const mortise: Mortise = await load({ wasmUrl: '/core.wasm' });
 const now: BooleanResult = mortise.union(box, back, { onProgress: () => false });
 const nowBytes: Uint8Array = mortise.writeMesh(now.mesh, { format: 'obj' });
@@ -91,4 +98,5 @@ await transform(box, [{ scale: 2, rotateX: 90 }]);
 await union(make('box'), box);
 
 console.log(sharedIds, resolved, parts, sources, shells, step, polygons);
+console.log(uv?.values, copies, starts);
 console.log(operands, chains, genus, found, report.certified, nowBytes);
