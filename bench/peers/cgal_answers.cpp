@@ -102,10 +102,14 @@ std::vector<CgalMesh> unite_runs(std::vector<CgalMesh> meshes, std::size_t run) 
   for (std::size_t i = 0; i < meshes.size(); ++i) {
     if (i % run == 0) {
       united.push_back(std::move(meshes[i]));
-    } else if (!pmp::corefine_and_compute_union(united.back(), meshes[i], united.back())) {
+      continue;
+    }
+    CgalMesh both;
+    if (!pmp::corefine_and_compute_union(united.back(), meshes[i], both)) {
       std::fprintf(stderr, "CGAL cannot make the union manifold\n");
       std::exit(1);
     }
+    united.back() = std::move(both);
   }
   return united;
 }

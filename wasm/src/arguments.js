@@ -245,6 +245,17 @@ export function checkKind({ kind }) {
 }
 
 /**
+ * What of the cut is taken out of the result again?
+ * @param {{ simplify?: unknown }} options
+ * @returns {'off' | 'cut' | 'coplanar'}
+ */
+export function checkSimplify({ simplify = 'off' }) {
+  if (simplify !== 'off' && simplify !== 'cut' && simplify !== 'coplanar')
+    throw invalidArgument(`simplify must be 'off', 'cut' or 'coplanar', not ${describe(simplify)}`);
+  return simplify;
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation

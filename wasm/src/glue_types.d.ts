@@ -37,6 +37,7 @@ export interface BooleanSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   inspect: boolean;
   requireSolids: boolean;
+  simplify: 'off' | 'cut' | 'coplanar';
 }
 
 export interface Core {

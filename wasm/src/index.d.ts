@@ -214,6 +214,13 @@ export interface BooleanOptions {
   inspect?: boolean;
   /** 'solid': an operand with a border is an error that names its open edges (`NOT_CLOSED`), not a sheet. */
   kind?: 'solid';
+  /**
+   * What of the cut is taken out of the result again, exactly and before any vertex is rounded. 'cut': edges and vertices it made inside
+   * one triangle or on one edge of an operand. 'coplanar': also edges between triangles of one plane and label, of any operand, and
+   * vertices only these need: two boxes that share a face become 12 triangles. Triangles that touch no other operand stay as they are.
+   * Default 'off'; an imprint cannot be simplified.
+   */
+  simplify?: 'off' | 'cut' | 'coplanar';
 }
 
 /** An operand after an imprint; pass it on as a mesh. Equal ids are one vertex, or coinciding triangles, of several operands. */

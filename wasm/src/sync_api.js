@@ -3,7 +3,19 @@
 // The functions over a running core. Arrays cross the border by copying; what comes back belongs to JavaScript.
 // @ts-check
 
-import { checkContact, checkInspect, checkKind, checkMesh, checkOperand, checkOperands, checkOptions, checkProgress, describe, splitOperands } from './arguments.js';
+import {
+  checkContact,
+  checkInspect,
+  checkKind,
+  checkMesh,
+  checkOperand,
+  checkOperands,
+  checkOptions,
+  checkProgress,
+  checkSimplify,
+  describe,
+  splitOperands,
+} from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
@@ -121,6 +133,9 @@ function guardProgress(progress) {
   return { report, state };
 }
 
+/** What every boolean takes. */
+const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify'];
+
 /**
  * @template {import('./index.js').BooleanResult} Result
  * @typedef {(core: Core, operands: CheckedOperand[], settings: import('./glue_types.js').BooleanSettings) => Answer<Result>} BooleanCall
@@ -135,9 +150,9 @@ function guardProgress(progress) {
  */
 function evaluateWith(session, call, { operands, options }) {
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkOperand(mesh, `operand ${i}`));
-  const checked = checkOptions(options, ['onProgress', 'signal', 'inspect', 'kind']);
+  const checked = checkOptions(options, booleanOptions);
   const { report, state } = guardProgress(checkProgress(checked));
-  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked) };
+  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked), simplify: checkSimplify(checked) };
   const begin = performance.now();
   try {
     const result = ask(session, (core) => call(core, meshes, settings), meshes);
@@ -186,7 +201,7 @@ function keep(session, [tags, operands, options]) {
  */
 function implant(session, args) {
   const { operands, options } = splitOperands(args, 'implant');
-  const { contact, ...others } = checkOptions(options, ['contact', 'onProgress', 'signal', 'inspect', 'kind']);
+  const { contact, ...others } = checkOptions(options, ['contact', ...booleanOptions]);
   const checked = checkContact(contact);
   return evaluateWith(session, (core, ...rest) => core.implant(checked, ...rest), { operands, options: others });
 }

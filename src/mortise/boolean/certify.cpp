@@ -86,12 +86,22 @@ class Certifier {
     result_.certificate.failed_faces.push_back(b.value);
   }
 
-  // Did the faces these triangles come from cross in their operand already?
+  [[nodiscard]] std::span<const FacetSource> sources(FaceId t) const {
+    return facets_.sources_of(merged_.facet_of_triangle[t.index()].facet);
+  }
+
+  // Did faces these triangles come from cross in their operand already?
   [[nodiscard]] bool is_inherited(FaceId a, FaceId b) const {
-    const SourceId f = facets_.sources_of(merged_.facet_of_triangle[a.index()].facet).front().face;
-    const SourceId g = facets_.sources_of(merged_.facet_of_triangle[b.index()].facet).front().face;
-    return f != g && faces_.operand[f] == faces_.operand[g] && faces_.self_contacts[faces_.operand[f]] != SelfContacts::All &&
-           meet_beyond_shared(faces_, f, g);
+    const auto crossed_before = [&](SourceId f, SourceId g) {
+      const OperandId k = faces_.operand[f];
+      return f != g && k == faces_.operand[g] && faces_.self_contacts[k] != SelfContacts::All && meet_beyond_shared(faces_, f, g);
+    };
+    for (const FacetSource& f : sources(a)) {
+      for (const FacetSource& g : sources(b)) {
+        if (crossed_before(f.face, g.face)) return true;
+      }
+    }
+    return false;
   }
 
   // A tree of the few moved triangles, asked by all.

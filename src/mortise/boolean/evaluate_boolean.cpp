@@ -16,6 +16,7 @@
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
 #include "mortise/boolean/refuse_operands.h"
+#include "mortise/boolean/simplify.h"
 #include "mortise/boolean/transfer_data.h"
 
 namespace mortise {
@@ -115,6 +116,19 @@ std::vector<DataChannel> transfer_to(const BooleanResult& result, const ExactOpe
   return channels;
 }
 
+// Faces of equal labels may be joined, unless they have data that would have to agree too.
+AgreementOfFaces agreement_of_labels(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces) {
+  return [operands, &faces](SourceId f, SourceId g) {
+    const SurfaceMesh &a = *operands[faces.operand[f].index()], &b = *operands[faces.operand[g].index()];
+    const auto has_data = [](const SurfaceMesh& mesh) { return !mesh.vertex_data.empty() || !mesh.corner_data.empty(); };
+    if (has_data(a) || has_data(b)) return false;
+    const auto label_of = [](const SurfaceMesh& mesh, std::uint32_t face) {
+      return mesh.face_labels.empty() ? std::string_view() : mesh.label_names[mesh.face_labels[face]];
+    };
+    return label_of(a, faces.face_in_operand(f)) == label_of(b, faces.face_in_operand(g));
+  };
+}
+
 std::vector<SheetOperand> sheets_of(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces) {
   std::vector<SheetOperand> sheets;
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
@@ -135,20 +149,24 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
   std::vector<DataChannel> channels = join_channels(operands);
   mark_half_spaces(options.half_spaces, faces);
-  const Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
+  Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
   refuse_operands(operands, faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
-  const Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
+  Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
   refuse_unbounded(name, faces, arrangement.facets, selection);
-  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
   });
+  report.contact = measure_contact(faces, arrangement.facets, result.graph);
+  if (options.simplify != Simplify::Off) {
+    const SimplifyRule rule{options.simplify, agreement_of_labels(operands, faces), arrangement.map.contact_points};
+    selection = timed(times, "simplify", [&] { return simplify(rule, faces, arrangement.facets, std::move(selection)); });
+  }
+  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   RoundedResult rounded =
       timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
   report.certificate = std::move(rounded.certified.certificate);
   if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
-  report.contact = measure_contact(faces, arrangement.facets, result.graph);
   report.self_contacts = arrangement.self_contacts;
   report.sheets = sheets_of(operands, faces);
   result.mesh = std::move(rounded.merged.mesh);

@@ -23,4 +23,11 @@ enum class Operation : std::uint8_t {
 /// @throws Error{InvalidArgument}
 [[nodiscard]] Operation operation_from_name(std::string_view name);
 
+/// What of the cut is taken out of a result again (see simplify).
+enum class Simplify : std::uint8_t {
+  Off,
+  Cut,       ///< what the cut made inside one face or on one edge of an operand
+  Coplanar,  ///< also across faces of one plane, of any operand
+};
+
 }  // namespace mortise

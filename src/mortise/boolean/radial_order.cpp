@@ -63,8 +63,9 @@ FacetAtEdge facet_at_edge(const OperandFaces& faces, const Facets& facets, Facet
   const auto axis = projection_axis(faces.points.nearest(source[0]), faces.points.nearest(source[1]), faces.points.nearest(source[2]));
   const Sign turn = orient2d(faces.points.nearest(source[0]), faces.points.nearest(source[1]), faces.points.nearest(source[2]), *axis);
   const Sign wanted = result.is_forward ? turn : -turn;
-  for (const PointId corner : source) {
-    if (corner != u && corner != v && faces.points.orient2d(u, v, corner, *axis) == wanted) {
+  for (const FacetSource& s : facets.sources_of(f)) {  // together they cover the facet
+    for (const PointId corner : faces.corners[s.face]) {
+      if (corner == u || corner == v || faces.points.orient2d(u, v, corner, *axis) != wanted) continue;
       result.witness = corner;
       return result;
     }

@@ -15,7 +15,7 @@ struct FacetAtEdge {
   FacetId facet;
   bool is_forward = false;  ///< the facet runs from u to v along the edge
   SourceId face;            ///< its first source: the plane
-  PointId witness;          ///< a corner of that face strictly on the facet's side of the edge
+  PointId witness;          ///< an input point in that plane strictly on the facet's side of the edge
 
   /// On which side of a facet one comes out going counterclockwise over it, seen against the direction of the edge.
   [[nodiscard]] bool is_front_after() const { return is_forward; }

@@ -81,6 +81,7 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard outp
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
   --kind solid          refuse open meshes, naming their open edges
+  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
   --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
@@ -90,8 +91,8 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard outp
  * @param {import('../arguments.js').Arguments} args
  * @returns {import('../../index.js').BooleanOptions}
  */
-function optionsOf({ values: { kind } }) {
-  return kind === undefined ? {} : { kind: /** @type {any} */ (kind) };
+function optionsOf({ values: { kind, simplify } }) {
+  return { kind: /** @type {any} */ (kind), simplify: /** @type {any} */ (simplify) };
 }
 
 /**
@@ -111,7 +112,14 @@ export function booleanVerb(name) {
   const { word, evaluate, options } = kinds[name];
   return {
     help: helpText(name),
-    options: { ...writingOptions, ...options, 'allow-uncertified': { type: 'boolean' }, kind: { type: 'string' }, plane: { type: 'string' } },
+    options: {
+      ...writingOptions,
+      ...options,
+      'allow-uncertified': { type: 'boolean' },
+      kind: { type: 'string' },
+      plane: { type: 'string' },
+      simplify: { type: 'string' },
+    },
     run(mortise, args, streams) {
       const target = targetOf(args);
       const files = word === undefined ? args.positionals : args.positionals.slice(1);
