@@ -70,11 +70,12 @@ std::vector<const SurfaceMesh*> pointers_to(const std::vector<SurfaceMesh>& mesh
   return pointers;
 }
 
-/// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids, simplify}
+/// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids, simplify, certify}
 BooleanOptions options_in(const val& settings) {
   BooleanOptions options;
   options.contact_memory = std::uint64_t{1} << 30;  // twice as much has no room in 4 GB while the list grows
   options.require_solids = settings["requireSolids"].as<bool>();
+  if (settings["certify"].as<std::string>() == "absolute") options.certify = CertificateLevel::Absolute;
   const std::string simplify = settings["simplify"].as<std::string>();
   options.simplify = simplify == "cut" ? Simplify::Cut : simplify == "coplanar" ? Simplify::Coplanar : Simplify::Off;
   const val listener = settings["listener"];

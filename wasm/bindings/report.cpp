@@ -122,8 +122,9 @@ std::vector<std::string> mesh_notes(const MeshReport& report) {
 }
 
 std::string certificate_note(const Certificate& certificate) {
-  const std::string tested = "relative certificate: " + std::to_string(certificate.triangles_tested) +
-                             " triangles with rounded vertices tested in " + std::to_string(certificate.pairs_tested) + " pairs";
+  const std::string level = certificate.level == CertificateLevel::Absolute ? "absolute certificate: " : "relative certificate: ";
+  const std::string tested = level + std::to_string(certificate.triangles_tested) + " triangles with rounded vertices tested in " +
+                             std::to_string(certificate.pairs_tested) + " pairs";
   const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement);
   if (certificate.status == CertificateStatus::Certified) return tested + moved;
   return tested + moved + "; " + std::to_string(certificate.failed_faces.size()) + " triangles are not proven free of new crossings";

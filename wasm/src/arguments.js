@@ -256,6 +256,16 @@ export function checkSimplify({ simplify = 'off' }) {
 }
 
 /**
+ * What is the result to be proven of?
+ * @param {{ certify?: unknown }} options
+ * @returns {'relative' | 'absolute'}
+ */
+export function checkCertify({ certify = 'relative' }) {
+  if (certify !== 'relative' && certify !== 'absolute') throw invalidArgument(`certify must be 'relative' or 'absolute', not ${describe(certify)}`);
+  return certify;
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation

@@ -38,6 +38,7 @@ export interface BooleanSettings {
   inspect: boolean;
   requireSolids: boolean;
   simplify: 'off' | 'cut' | 'coplanar';
+  certify: 'relative' | 'absolute';
 }
 
 export interface Core {

@@ -128,7 +128,7 @@ export interface Report {
   /** Pairs of triangles that meet elsewhere than in what they share, found exactly; null when not looked for (`inspect: false`). */
   selfIntersections: number | null;
   /**
-   * Of a boolean: the doubles of the result are proven to add no crossing to what the operands had.
+   * Of a boolean: the doubles of the result are proven to add no crossing to what the operands had (see `certify`).
    * Of `inspect`: there is no crossing and no triangle without area.
    */
   certified: boolean;
@@ -221,6 +221,11 @@ export interface BooleanOptions {
    * Default 'off'; an imprint cannot be simplified.
    */
   simplify?: 'off' | 'cut' | 'coplanar';
+  /**
+   * What `report.certified` says. 'relative' (the default): rounding added no crossing to those the operands had. 'absolute': no two
+   * triangles of the result meet beyond what they share, and all have area; crossings an operand brought along make it false.
+   */
+  certify?: 'relative' | 'absolute';
 }
 
 /** An operand after an imprint; pass it on as a mesh. Equal ids are one vertex, or coinciding triangles, of several operands. */

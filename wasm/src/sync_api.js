@@ -4,6 +4,7 @@
 // @ts-check
 
 import {
+  checkCertify,
   checkContact,
   checkInspect,
   checkKind,
@@ -134,7 +135,7 @@ function guardProgress(progress) {
 }
 
 /** What every boolean takes. */
-const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify'];
+const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify', 'certify'];
 
 /**
  * @template {import('./index.js').BooleanResult} Result
@@ -152,7 +153,7 @@ function evaluateWith(session, call, { operands, options }) {
   const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkOperand(mesh, `operand ${i}`));
   const checked = checkOptions(options, booleanOptions);
   const { report, state } = guardProgress(checkProgress(checked));
-  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked), simplify: checkSimplify(checked) };
+  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked), simplify: checkSimplify(checked), certify: checkCertify(checked) };
   const begin = performance.now();
   try {
     const result = ask(session, (core) => call(core, meshes, settings), meshes);

@@ -269,3 +269,18 @@ test('a sphere cut out of a turned box keeps its measure', async () => {
   assert.ok(Math.abs(inside.report.volume + outside.report.volume - whole.volume) < 1e-12);
   assert.equal(outside.report.certified, true);
 });
+
+test('an absolute certificate counts crossings an operand brought along', async () => {
+  const torus = await make('torus', { majorRadius: 3, minorRadius: 1, around: 24, across: 12 });
+  const positions = torus.positions.map((x, i) => (i % 3 === 0 && x > 3.9 ? x - 3 : x));
+  const crossed = { positions, triangles: torus.triangles };
+  const beside = await make('box', { lo: [-4.5, -0.5, -0.5], hi: [-3.5, 0.5, 2] });
+  const relative = await union(crossed, beside);
+  assert.equal(relative.report.certified, true);
+  assert.ok(relative.report.selfIntersections > 0);
+  const absolute = await union(crossed, beside, { certify: 'absolute' });
+  assert.equal(absolute.report.certified, false);
+  assert.ok(absolute.report.notes.some((note) => note.startsWith('absolute certificate: ')));
+  assert.equal((await union(torus, beside, { certify: 'absolute' })).report.certified, true);
+  await assert.rejects(union(torus, beside, { certify: true }), { code: 'INVALID_ARGUMENT' });
+});

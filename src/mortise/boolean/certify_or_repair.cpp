@@ -3,9 +3,12 @@
 // Rounds of merging and swapping, each followed by a certificate.
 #include "mortise/boolean/certify_or_repair.h"
 
+#include <algorithm>
+
 #include "mortise/boolean/merge_close_vertices.h"
 #include "mortise/boolean/repair_reach.h"
 #include "mortise/boolean/swap_slivers.h"
+#include "mortise/mesh/find_self_crossings.h"
 
 namespace mortise {
 namespace {
@@ -38,6 +41,28 @@ RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets,
   RoundedResult coarser = result;
   repair(faces, facets, reach_of_all(result.merged.mesh), progress, coarser);
   return coarser.certified.failed.empty() ? coarser : result;
+}
+
+std::size_t certify_all_pairs(RoundedResult& result) {
+  const SurfaceMesh& mesh = result.merged.mesh;
+  Certificate& certificate = result.certified.certificate;
+  certificate.level = CertificateLevel::Absolute;
+  std::vector<std::uint32_t>& failed = certificate.failed_faces;
+  std::size_t count = 0;
+  for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (!is_degenerate(mesh, FaceId(f))) continue;
+    failed.push_back(f);
+    ++count;
+  }
+  for (const SelfCrossing& pair : find_self_crossings(mesh)) {
+    failed.push_back(pair.a.value);
+    failed.push_back(pair.b.value);
+    ++count;
+  }
+  std::sort(failed.begin(), failed.end());
+  failed.erase(std::unique(failed.begin(), failed.end()), failed.end());
+  if (!failed.empty()) certificate.status = CertificateStatus::Uncertified;
+  return count;
 }
 
 }  // namespace mortise

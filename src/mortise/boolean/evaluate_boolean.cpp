@@ -165,6 +165,7 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
   RoundedResult rounded =
       timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
+  if (options.certify == CertificateLevel::Absolute) timed(times, "certify", [&] { return certify_all_pairs(rounded); });
   report.certificate = std::move(rounded.certified.certificate);
   if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
   report.self_contacts = arrangement.self_contacts;

@@ -15,6 +15,7 @@ namespace mortise {
 struct BooleanOptions {
   ProgressCallback progress;
   std::vector<std::size_t> half_spaces;                   ///< positions of operands of make_half_space, which the result must not reach
+  CertificateLevel certify = CertificateLevel::Relative;  ///< what the result has to be proven of
   Simplify simplify = Simplify::Off;                      ///< what of the cut is taken out of the result again
   bool require_solids = false;                            ///< operands with a border are errors, not sheets
   std::uint64_t contact_memory = std::uint64_t{1} << 31;  ///< bytes the candidate pairs may take

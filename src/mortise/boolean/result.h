@@ -31,7 +31,14 @@ struct ContactMeasure {
 
 enum class CertificateStatus { Certified, Uncertified };
 
+/// What a certificate speaks of (exact-core 5).
+enum class CertificateLevel : std::uint8_t {
+  Relative,  ///< rounding added no crossing to those of the operands
+  Absolute,  ///< no two triangles of the result meet beyond what they share, and all have area
+};
+
 struct Certificate {
+  CertificateLevel level = CertificateLevel::Relative;
   CertificateStatus status = CertificateStatus::Certified;
   std::uint64_t triangles_tested = 0;  ///< with a vertex that was rounded
   std::uint64_t pairs_tested = 0;

@@ -82,6 +82,7 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard outp
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
   --kind solid          refuse open meshes, naming their open edges
   --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
+  --certify absolute    certified only if no triangles cross, those of the operands included
   --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
@@ -91,8 +92,8 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard outp
  * @param {import('../arguments.js').Arguments} args
  * @returns {import('../../index.js').BooleanOptions}
  */
-function optionsOf({ values: { kind, simplify } }) {
-  return { kind: /** @type {any} */ (kind), simplify: /** @type {any} */ (simplify) };
+function optionsOf({ values: { kind, simplify, certify } }) {
+  return /** @type {any} */ ({ kind, simplify, certify });
 }
 
 /**
@@ -119,6 +120,7 @@ export function booleanVerb(name) {
       kind: { type: 'string' },
       plane: { type: 'string' },
       simplify: { type: 'string' },
+      certify: { type: 'string' },
     },
     run(mortise, args, streams) {
       const target = targetOf(args);
