@@ -4,7 +4,6 @@
 // PREFIX: where npm installed manifold-3d. Each side of a row is a process of its own, so that each has its own peak of memory.
 import { spawnSync } from 'node:child_process';
 import { readdirSync } from 'node:fs';
-import { createRequire } from 'node:module';
 import { join, resolve } from 'node:path';
 import { argv, execPath, resourceUsage } from 'node:process';
 import { fileURLToPath, pathToFileURL } from 'node:url';
@@ -42,8 +41,7 @@ function timeOurs(mortise, operands, runs) {
 
 /** Arrays in, arrays out; beside it, the time without building its solids from the arrays. */
 async function timeManifold(operands, runs, prefix) {
-  const module = createRequire(join(resolve(prefix), 'package.json')).resolve('manifold-3d');
-  const { default: instantiate } = await import(pathToFileURL(module).href);
+  const { default: instantiate } = await import(pathToFileURL(resolve(prefix, 'node_modules/manifold-3d/manifold.js')).href);
   const manifold = await instantiate();
   manifold.setup();
   const meshes = operands.map((o) => ({ numProp: 3, vertProperties: Float32Array.from(o.positions), triVerts: o.triangles }));

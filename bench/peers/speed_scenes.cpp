@@ -75,7 +75,7 @@ SpeedScene armadillo() {
 }
 
 SpeedScene tori() {
-  SpeedScene scene{"tori", {}, {8}};
+  SpeedScene scene{"tori", {}, {2, 2, 2}};  // CGAL 5.5 crashes when they are folded one after the other
   const SurfaceMesh torus = make_torus(1, 0.25, 96, 48);
   const AffineMap upright = compose(rotation(Axis::X, 90), translation({1.2, 0, 0}));
   for (int k = 0; k < 8; ++k) scene.operands.push_back(in_float32(transform(torus, compose(upright, rotation(Axis::Z, 45 * k)))));
