@@ -12,6 +12,9 @@
 #include <map>
 #include <sstream>
 
+#include "mortise/boolean/imprint.h"
+#include "mortise/boolean/result_regions.h"
+#include "mortise/mesh/measures.h"
 #include "support/boolean_checks.h"
 #include "support/boolean_oracle.h"
 #include "support/boolean_scenes.h"
@@ -21,7 +24,7 @@
 namespace mortise::test {
 namespace {
 
-constexpr double most_seconds = 20;
+constexpr double most_seconds = 20;                     // of one operation
 constexpr std::size_t most_faces_for_crossings = 1500;  // of a result
 constexpr std::size_t most_faces_for_provenance = 60;   // of all operands
 constexpr std::size_t most_products_for_volume = 150;   // of the numbers of faces
@@ -72,8 +75,10 @@ class OracleVolumes {
     oracle::Rational sum = operation == Operation::Subtract ? common(first) : 0;
     const std::uint32_t always = operation == Operation::Subtract ? first : 0, others = all & ~always;
     for (std::uint32_t subset = others; subset != 0; subset = (subset - 1) & others) {
-      const bool adds = (std::popcount(subset) % 2 == 1) == (operation == Operation::Union);
-      sum += adds ? common(subset | always) : -common(subset | always);
+      const int count = std::popcount(subset);
+      const int times = operation == Operation::SymmetricDifference ? 1 << (count - 1) : 1;  // (-2)^(count - 1)
+      const bool adds = (count % 2 == 1) != (operation == Operation::Subtract);
+      sum += (adds ? times : -times) * common(subset | always);
     }
     return sum;
   }
@@ -133,14 +138,13 @@ class CaseCheck {
     try {
       check();
     } catch (const Error& error) {
-      if (error.code != ErrorCode::Cancelled) {
-        add_fault(std::string(error_code_name(error.code)) + " in " + error.stage + ": " + error.message);
-      }
+      const bool is_slow = error.code == ErrorCode::Cancelled;
+      add_fault(is_slow ? "slow: an operation took more than 20 seconds"
+                        : std::string(error_code_name(error.code)) + " in " + error.stage + ": " + error.message);
     } catch (const std::exception& error) {
       add_fault(std::string("exception: ") + error.what());
     }
     outcome_.seconds = processor_seconds() - start_;
-    if (outcome_.seconds > most_seconds) add_fault("slow: more than 20 seconds");
     return outcome_;
   }
 
@@ -161,8 +165,54 @@ class CaseCheck {
                  "union = last less others + union of others");
     if (operands_.size() == 2) {
       expect_equal(either + both, input(0) + input(1), "union + intersection = sum");
+      expect_equal(measure(checked(Operation::SymmetricDifference, operands_)), either - both,
+                   "symmetric difference = union - intersection");
     } else if (operands_.size() == 3) {
       expect_equal(either - both, input(0) + input(1) + input(2) - common_volumes_of_pairs(), "union - intersection = sum - pairs");
+    }
+    check_simplified(all, either, first_less);
+    check_partition(either);
+    check_imprint();
+  }
+
+  // The same solid on no more triangles; under Simplify::Coplanar all operands are alike.
+  void check_simplified(const BooleanResult& all, const Measure& either, const Measure& first_less) {
+    const Operands backwards(operands_.rbegin(), operands_.rend());
+    for (const Simplify level : {Simplify::Cut, Simplify::Coplanar}) {
+      const BooleanResult result = evaluated(Operation::Union, operands_, level);
+      expect_equal(measure(result), either, "simplified union = union");
+      if (!is_uncertified(result) && !is_uncertified(all) && all.report.certificate.repair_displacement == 0 &&
+          result.mesh.triangles.size() > all.mesh.triangles.size())
+        add_fault("a simplified union has more triangles");
+      if (!is_uncertified(result) && !crosses_itself_ && is_small_and_crosses(result.mesh))
+        add_fault("certified when simplified, but crosses itself");
+      if (level == Simplify::Coplanar) expect_same(result, evaluated(Operation::Union, backwards, level), "simplified union");
+      expect_equal(measure(evaluated(Operation::Subtract, operands_, level)), first_less, "simplified difference = difference");
+    }
+  }
+
+  // Regions are closed only where the result is certified.
+  void check_partition(const Measure& either) {
+    BooleanResult result = evaluate_boolean(Operation::Partition, operands_, guarded());
+    if (is_uncertified(result)) {
+      outcome_.is_uncertified = true;
+      return;
+    }
+    Measure sum;
+    for (const ResultRegion& region : find_result_regions(result).regions) sum.volume += region.volume * unit_ * unit_ * unit_;
+    sum.tolerance = measure_tolerance(result);
+    expect_equal(sum, either, "regions of the partition = union");
+    if (!crosses_itself_ && is_small_and_crosses(result.mesh)) add_fault("certified partition crosses itself");
+  }
+
+  void check_imprint() {
+    const ImprintResult result = imprint(operands_, guarded());
+    if (is_uncertified(result.whole)) outcome_.is_uncertified = true;
+    for (std::size_t k = 0; k < operands_.size(); ++k) {
+      const SurfaceMesh& mesh = result.operands[k].mesh;
+      if (!is_balanced(mesh)) add_fault("an imprinted operand is not closed");
+      const Measure volume{exact_volume(scaled(mesh, unit_)), measure_tolerance(result.whole)};
+      expect_equal(volume, input(k), "imprinted operand = operand");
     }
   }
 
@@ -170,10 +220,17 @@ class CaseCheck {
 
   void add_fault(const std::string& text) { outcome_.faults += text.back() == '\n' ? text : text + '\n'; }
 
-  /// Checked without looking at every face and vertex in rationals.
-  BooleanResult evaluated(Operation operation, const Operands& operands) {
+  // Cancelled when it takes too long.
+  [[nodiscard]] BooleanOptions guarded() const {
     BooleanOptions options;
-    options.progress = [this](std::string_view, double) { return processor_seconds() - start_ <= most_seconds; };
+    options.progress = [start = processor_seconds()](std::string_view, double) { return processor_seconds() - start <= most_seconds; };
+    return options;
+  }
+
+  /// Checked without looking at every face and vertex in rationals.
+  BooleanResult evaluated(Operation operation, const Operands& operands, Simplify level = Simplify::Off) {
+    BooleanOptions options = guarded();
+    options.simplify = level;
     BooleanResult result = evaluate_boolean(operation, operands, options);
     std::string faults = faults_of_mesh(result);
     if (is_uncertified(result)) {
@@ -218,12 +275,15 @@ class CaseCheck {
 
   /// In units in which the largest coordinate is between 1/2 and 1.
   [[nodiscard]] Measure measure(const BooleanResult& result) const {
+    return {shape_of(scaled(result.mesh, unit_)).volume, measure_tolerance(result)};
+  }
+
+  [[nodiscard]] double measure_tolerance(const BooleanResult& result) const {
     BooleanReport report;
     report.certificate.largest_displacement = unit_ * result.report.certificate.largest_displacement;
-    const Shape shape = shape_of(scaled(result.mesh, unit_));
     double volumes = 0;
     for (std::size_t i = 0; i < operands_.size(); ++i) volumes += input(i).volume;
-    return {shape.volume, identity_tolerance(volumes, shape.area, report, unit_ * coordinate_)};
+    return identity_tolerance(volumes, surface_area(scaled(result.mesh, unit_)), report, unit_ * coordinate_);
   }
 
   [[nodiscard]] Measure input(std::size_t i) const { return {exact_volume(scaled(*operands_[i], unit_)), 0}; }

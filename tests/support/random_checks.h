@@ -16,11 +16,12 @@ struct CaseOutcome {
   double seconds = 0;           ///< of the processor
 };
 
-/// Evaluates the union, the intersection and both subtractions of a case, and what the identities need besides.
+/// Evaluates the union, the intersection and both subtractions of a case, and what the identities need besides; the union and the
+/// subtraction simplified, the symmetric difference, the partition and the imprint.
 ///
 /// For all: arrays, balanced edges, the order of operands, inclusion and exclusion of volumes, no error. Where the result is
 /// certified and not large: no crossing by the oracle. Where operands are small: provenance in rationals and the oracle's
-/// volumes, exact for families whose results need no repair. More than 20 seconds of the processor are a fault.
+/// volumes, exact for families whose results need no repair. An operation of more than 20 seconds of the processor is a fault.
 [[nodiscard]] CaseOutcome check_case(const RandomCase& random_case);
 
 }  // namespace mortise::test
