@@ -37,7 +37,7 @@ class PatchBuilder {
 
   [[nodiscard]] Patches build() && {
     join_at_free_points();
-    std::sort(edges_.begin(), edges_.end());
+    sort_edges();
     for (std::size_t i = 0; i < edges_.size();) {
       std::size_t end = i;
       while (end < edges_.size() && edges_[end].key == edges_[i].key) ++end;
@@ -83,6 +83,18 @@ class PatchBuilder {
     const bool is_forward = p < q;
     const std::uint64_t key = (std::uint64_t{std::min(p, q).value} << 32U) | std::max(p, q).value;
     edges_.push_back({key, f, is_forward});
+  }
+
+  // By key, then facet. Buckets by the smaller point are short: this takes linear time.
+  void sort_edges() {
+    std::vector<std::uint32_t> begin(faces_.points.size() + 1, 0);
+    for (const FacetEdge& e : edges_) ++begin[(e.key >> 32U) + 1];
+    for (std::size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
+    std::vector<FacetEdge> sorted(edges_.size());
+    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
+    for (const FacetEdge& e : edges_) sorted[next[e.key >> 32U]++] = e;
+    for (std::size_t p = 0; p + 1 < begin.size(); ++p) std::sort(sorted.begin() + begin[p], sorted.begin() + begin[p + 1]);
+    edges_ = std::move(sorted);
   }
 
   bool continue_each_other(const FacetEdge& a, const FacetEdge& b) const {
