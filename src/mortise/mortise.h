@@ -3,6 +3,8 @@
 // The whole public library.
 #pragma once
 
+#include "mortise/arrange/operand_list.h"
+#include "mortise/arrange/prepared_operand.h"
 #include "mortise/base/error.h"
 #include "mortise/base/progress.h"
 #include "mortise/boolean/evaluate_boolean.h"

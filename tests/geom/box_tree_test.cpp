@@ -112,4 +112,33 @@ TEST_CASE("The tree depends on the boxes and their order only", "[geom][box_tree
   CHECK(pairs_within(BoxTree(boxes)) == pairs_within(BoxTree(copy)));
 }
 
+TEST_CASE("A tree over other boxes holds those that are not empty below the nodes that may keep", "[geom][box_tree]") {
+  std::mt19937 random(12);
+  for (int round = 0; round < 300; ++round) {
+    const std::vector<Box3> first = random_boxes(random, 1), partners = random_boxes(random, 3);
+    std::vector<Box3> other = random_boxes(random, 3);
+    other.resize(first.size());  // too short: the rest are empty
+    const BoxTree tree(first);
+    const Box3 middle{{-0.5, -0.5, -0.5}, {0.5, 0.5, 0.5}};
+    const bool keeps_all = round % 2 == 0;
+    std::vector<std::uint32_t> asked;
+    const BoxTree changed = tree.with_boxes([&](const Box3& node) { return keeps_all || boxes_meet(node, middle); },
+                                            [&](std::uint32_t id) {
+                                              asked.push_back(id);
+                                              return other[id];
+                                            });
+    for (std::uint32_t i = 0; i < first.size(); ++i) {
+      const bool must_ask = !first[i].is_empty() && (keeps_all || boxes_meet(first[i], middle));
+      CHECK((!must_ask || std::find(asked.begin(), asked.end(), i) != asked.end()));
+    }
+    std::vector<Box3> held(first.size());
+    for (const std::uint32_t id : asked) held[id] = other[id];
+    Pairs found;
+    for_each_meeting_pair(changed, BoxTree(partners), [&](std::uint32_t i, std::uint32_t j) { found.emplace_back(i, j); });
+    CHECK(sorted(found) == meeting_pairs(held, partners));
+    CHECK(sorted(pairs_within(changed)) == sorted(pairs_within(BoxTree(held))));
+    CHECK(changed.empty() == std::all_of(held.begin(), held.end(), [](const Box3& b) { return b.is_empty(); }));
+  }
+}
+
 }  // namespace mortise

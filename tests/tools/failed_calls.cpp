@@ -5,6 +5,7 @@
 // usage: failed_calls [--tries N]   (of a call that allocates more than N times, N spread over them; 0: all; default 1000)
 // A program of its own and no test case: it replaces operator new. Its last line is counted by scripts/test.
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -234,14 +235,28 @@ unsigned long long partition_slivers(const BooleanOptions& options) {
   return digest_of(result);
 }
 
+/// Prepared, then moved: an operand that crosses itself, and one of parts that overlap.
+unsigned long long unite_prepared(const BooleanOptions& options) {
+  const PreparedOperand star(operands.crossing[0]), parts(operands.touching[0]);
+  const AffineMap place = compose(rotation(Axis::X, 30), translation({-1, -1, 0.5}));
+  return digest_of(evaluate_boolean(Operation::Union, std::array{Operand(star), Operand(parts, place)}, options));
+}
+
 std::vector<Call> boolean_calls() {
   return {
-      {"unite, contacts and a sheet", unite_contacts},         {"partition, contacts and a sheet", partition_contacts},
-      {"implant, contacts and a sheet", implant_contacts},     {"imprint, contacts and a sheet", imprint_contacts},
-      {"keep_faces, contacts and a sheet", keep_some_faces},   {"evaluate_expression, contacts and a sheet", combine_contacts},
-      {"resolve, parts that overlap", resolve_overlap},        {"unite, one part that crosses itself", unite_crossing},
-      {"subtract, coordinates far apart", subtract_far_apart}, {"intersect with a half-space", cut_by_half_space},
-      {"partition, repaired slivers", partition_slivers},      {"unite, refused", refuse_inside_out},
+      {"unite, contacts and a sheet", unite_contacts},
+      {"partition, contacts and a sheet", partition_contacts},
+      {"implant, contacts and a sheet", implant_contacts},
+      {"imprint, contacts and a sheet", imprint_contacts},
+      {"keep_faces, contacts and a sheet", keep_some_faces},
+      {"evaluate_expression, contacts and a sheet", combine_contacts},
+      {"resolve, parts that overlap", resolve_overlap},
+      {"unite, one part that crosses itself", unite_crossing},
+      {"subtract, coordinates far apart", subtract_far_apart},
+      {"intersect with a half-space", cut_by_half_space},
+      {"partition, repaired slivers", partition_slivers},
+      {"unite, refused", refuse_inside_out},
+      {"prepare, move and unite", unite_prepared},
   };
 }
 

@@ -60,9 +60,22 @@ class PairList {
 };
 
 // The faces of one operand that may touch anything, and a tree of their boxes.
-struct Reach {
-  std::vector<SourceId> faces;
-  BoxTree tree;
+class Reach {
+ public:
+  /// Faces in any order, and their boxes.
+  Reach(std::vector<SourceId> faces, const std::vector<Box3>& boxes) : faces_(std::move(faces)), own_(boxes) {}
+  /// All faces from the first on.
+  Reach(std::uint32_t first, BoxTree tree) : first_(first), own_(std::move(tree)) {}
+  Reach(std::uint32_t first, const BoxTree* kept) : first_(first), kept_(kept) {}
+
+  [[nodiscard]] const BoxTree& tree() const { return kept_ != nullptr ? *kept_ : own_; }
+  [[nodiscard]] SourceId face(std::uint32_t item) const { return faces_.empty() ? SourceId(first_ + item) : faces_[item]; }
+
+ private:
+  std::vector<SourceId> faces_;  // of the items; empty: they are in order
+  std::uint32_t first_ = 0;
+  BoxTree own_;
+  const BoxTree* kept_ = nullptr;
 };
 
 // Where an operand can meet the others: the box round all meetings of its bounds with theirs.
@@ -82,55 +95,99 @@ Box3 meeting_box(const OperandFaces& faces, OperandId k) {
   return result;
 }
 
-Reach find_reach(const OperandFaces& faces, OperandId k) {
-  const bool is_complete = faces.self_contacts[k] != SelfContacts::None;
-  const Box3 meeting = is_complete ? faces.bounds[k] : meeting_box(faces, k);
-  Reach reach;
+// Are all pairs of faces of this operand known that may touch?
+bool has_known_self_pairs(const OperandFaces& faces, OperandId k) {
+  const KnownOperand& known = faces.known[k];
+  if (known.prepared == nullptr) return false;
+  const SelfPairs& pairs = known.prepared->self_pairs();
+  return pairs.is_known && known.rounding <= pairs.slack;
+}
+
+Reach collect_reach(const OperandFaces& faces, OperandId k, const Box3& meeting) {
+  std::vector<SourceId> reached;
   std::vector<Box3> boxes;
   for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
     const Box3 box = faces.box(SourceId(f));
     if (!boxes_meet(box, meeting)) continue;
-    reach.faces.push_back(SourceId(f));
+    reached.push_back(SourceId(f));
     boxes.push_back(box);
   }
-  reach.tree = BoxTree(boxes);
-  return reach;
+  return Reach(std::move(reached), boxes);
+}
+
+Reach find_reach(const OperandFaces& faces, OperandId k, bool is_complete) {
+  const Box3 meeting = is_complete ? faces.bounds[k] : meeting_box(faces, k);
+  const KnownOperand& known = faces.known[k];
+  if (known.prepared == nullptr) return collect_reach(faces, k, meeting);
+  const BoxTree& tree = known.prepared->tree();
+  if (known.is_in_place) return Reach(faces.first[k], &tree);
+  const auto may_meet = [&](const Box3& box) { return boxes_meet(known.boxes.image_of(box), meeting); };
+  const auto box_of_item = [&](std::uint32_t item) {
+    const Box3 box = faces.box(SourceId(faces.first[k] + item));
+    return boxes_meet(box, meeting) ? box : Box3{};
+  };
+  return Reach(faces.first[k], tree.with_boxes(may_meet, box_of_item));
 }
 
 void add_pairs_between(const Reach& a, const Reach& b, PairList& pairs) {
-  for_each_meeting_pair(a.tree, b.tree, [&](std::uint32_t i, std::uint32_t j) { pairs.add(a.faces[i].value, b.faces[j].value); });
+  for_each_meeting_pair(a.tree(), b.tree(), [&](std::uint32_t i, std::uint32_t j) { pairs.add(a.face(i).value, b.face(j).value); });
 }
 
 void add_pairs_within(const OperandFaces& faces, OperandId k, const Reach& reach, PairList& pairs) {
   const SelfContacts kind = faces.self_contacts[k];
   if (kind == SelfContacts::All || kind == SelfContacts::Parts) {
-    for_each_meeting_pair_within(reach.tree, [&](std::uint32_t i, std::uint32_t j) {
-      const SourceId f = reach.faces[i];
-      const SourceId g = reach.faces[j];
+    for_each_meeting_pair_within(reach.tree(), [&](std::uint32_t i, std::uint32_t j) {
+      const SourceId f = reach.face(i);
+      const SourceId g = reach.face(j);
       if (kind == SelfContacts::All || faces.part[f] != faces.part[g]) pairs.add(f.value, g.value);
     });
   }
   if (kind == SelfContacts::All) return;
-  for (const SourceId f : reach.faces) {
+  for (SourceId f(faces.first[k]); f.value < faces.end(k); ++f.value) {
     if (faces.shape[f] != FaceShape::Collinear) continue;
-    reach.tree.for_each_meeting(faces.box(f), [&](std::uint32_t j) {
-      if (faces.shape[reach.faces[j]] == FaceShape::Proper) pairs.add(f.value, reach.faces[j].value);
+    reach.tree().for_each_meeting(faces.box(f), [&](std::uint32_t j) {
+      if (faces.shape[reach.face(j)] == FaceShape::Proper) pairs.add(f.value, reach.face(j).value);
     });
+  }
+}
+
+// The same out of the pairs that are known.
+void add_known_pairs_within(const OperandFaces& faces, OperandId k, PairList& pairs) {
+  const SelfContacts kind = faces.self_contacts[k];
+  const auto is_collinear_beside_proper = [&](SourceId f, SourceId g) {
+    return faces.shape[f] == FaceShape::Collinear && faces.shape[g] == FaceShape::Proper;
+  };
+  for (const auto& [i, j] : faces.known[k].prepared->self_pairs().pairs) {
+    const SourceId f(faces.first[k] + i), g(faces.first[k] + j);
+    if (!boxes_meet(faces.box(f), faces.box(g))) continue;
+    const bool is_between_parts = kind == SelfContacts::Parts && faces.part[f] != faces.part[g];
+    if (kind == SelfContacts::All || is_between_parts || is_collinear_beside_proper(f, g) || is_collinear_beside_proper(g, f)) {
+      pairs.add(f.value, g.value);
+    }
   }
 }
 
 std::vector<Pair> find_candidates(const OperandFaces& faces, std::uint64_t memory, const ProgressCallback& progress) {
   PairList pairs(memory);
   const std::size_t n = faces.operand_count();
-  IdVector<OperandId, Reach> reach;
-  for (std::size_t k = 0; k < n; ++k) reach.push_back(find_reach(faces, OperandId(k)));
+  std::vector<Reach> reach;
+  for (std::size_t i = 0; i < n; ++i) {
+    const OperandId k(i);
+    const bool needs_self_pairs = faces.self_contacts[k] != SelfContacts::None;
+    const bool knows_self_pairs = needs_self_pairs && has_known_self_pairs(faces, k);
+    reach.push_back(find_reach(faces, k, needs_self_pairs && !knows_self_pairs));
+    if (knows_self_pairs) {
+      add_known_pairs_within(faces, k, pairs);
+    } else if (needs_self_pairs) {
+      add_pairs_within(faces, k, reach.back(), pairs);
+    }
+  }
   for (std::size_t i = 0; i < n; ++i) {
     report_progress(progress, stage_name, 0.1 * static_cast<double>(i) / static_cast<double>(n));
     const OperandId k(i);
-    if (faces.self_contacts[k] != SelfContacts::None) add_pairs_within(faces, k, reach[k], pairs);
     for (std::size_t j = i + 1; j < n; ++j) {
       const OperandId m(j);
-      if (boxes_meet(faces.bounds[k], faces.bounds[m])) add_pairs_between(reach[k], reach[m], pairs);
+      if (boxes_meet(faces.bounds[k], faces.bounds[m])) add_pairs_between(reach[i], reach[j], pairs);
     }
   }
   return std::move(pairs).take(faces.corners.size());

@@ -4,12 +4,9 @@
 #include "mortise/arrange/operand_faces.h"
 
 #include <algorithm>
-#include <functional>
+#include <utility>
 
-#include "mortise/base/bits.h"
 #include "mortise/base/error.h"
-#include "mortise/base/union_find.h"
-
 #include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
 #include "mortise/mesh/validate.h"
@@ -17,42 +14,10 @@
 namespace mortise {
 namespace {
 
-// 128 bits of a directed edge; the sum over all edges less that of their reverses is zero for a closed surface.
-struct EdgeSum {
-  std::uint64_t low = 0, high = 0;
-
-  void add(PointId from, PointId to) {
-    const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
-    low += mixed_bits(key);
-    high += mixed_bits(key ^ 0x9e3779b97f4a7c15U);
-  }
-  void subtract(PointId from, PointId to) {
-    const std::uint64_t key = (std::uint64_t{from.value} << 32U) | to.value;
-    low -= mixed_bits(key);
-    high -= mixed_bits(key ^ 0x9e3779b97f4a7c15U);
-  }
-};
-
-bool is_closed(const OperandFaces& faces, OperandId k) {
-  EdgeSum sum;
-  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
-    if (faces.is_wall[SourceId(f)] != 0) continue;
-    const PlanePoints& c = faces.corners[SourceId(f)];
-    for (std::size_t i = 0; i < 3; ++i) {
-      sum.add(c[i], c[(i + 1) % 3]);
-      sum.subtract(c[(i + 1) % 3], c[i]);
-    }
-  }
-  return sum.low == 0 && sum.high == 0;
-}
-
-// Corners of the faces of one operand, equal positions being one vertex: the lowest.
-using WeldedCorners = std::array<std::uint32_t, 3>;
-
 // Finds the lowest vertex at each point, one operand after the other; its memory grows with the points, its time does not.
 class Welder {
  public:
-  std::vector<WeldedCorners> weld(const SurfaceMesh& mesh, const std::vector<PointId>& point_of, std::size_t point_count) {
+  std::vector<std::uint32_t> lowest_vertices(const std::vector<PointId>& point_of, std::size_t point_count) {
     constexpr std::uint32_t none = 0xffffffffU;
     lowest_vertex_.resize(point_count, none);
     std::vector<std::uint32_t> lowest(point_of.size());
@@ -62,72 +27,30 @@ class Welder {
       lowest[v] = first;
     }
     for (const PointId p : point_of) lowest_vertex_[p.index()] = none;
-    std::vector<WeldedCorners> corners;
-    corners.reserve(mesh.triangles.size());
-    for (const Triangle& t : mesh.triangles) corners.push_back({lowest[t[0].index()], lowest[t[1].index()], lowest[t[2].index()]});
-    return corners;
+    return lowest;
   }
 
  private:
   std::vector<std::uint32_t> lowest_vertex_;
 };
 
-// Do two faces have the same three corners? Only faces with the same lowest corner are compared.
-bool has_coincident_faces(std::vector<WeldedCorners> corners, std::size_t vertex_count) {
-  std::vector<std::uint32_t> begin(vertex_count + 1, 0);
-  for (WeldedCorners& c : corners) {
-    std::sort(c.begin(), c.end());
-    ++begin[c[0] + 1];
-  }
-  for (std::size_t v = 0; v < vertex_count; ++v) begin[v + 1] += begin[v];
-  std::vector<std::array<std::uint32_t, 2>> others(corners.size());  // the two higher corners, grouped by the lowest
-  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-  for (const WeldedCorners& c : corners) others[next[c[0]]++] = {c[1], c[2]};
-  for (std::size_t v = 0; v < vertex_count; ++v) {
-    if (begin[v + 1] - begin[v] < 2) continue;
-    const auto first = others.begin() + begin[v];
-    const auto last = others.begin() + begin[v + 1];
-    std::sort(first, last);
-    if (std::adjacent_find(first, last) != last) return true;
-  }
-  return false;
-}
-
 FaceShape shape_of(const PointSet& points, const PlanePoints& c) {
   if (c[0] == c[1] || c[1] == c[2] || c[2] == c[0]) return FaceShape::Repeated;
   return are_collinear(points.nearest(c[0]), points.nearest(c[1]), points.nearest(c[2])) ? FaceShape::Collinear : FaceShape::Proper;
 }
 
-// Parts of one operand, numbered by one of their vertices.
-void number_parts(const std::vector<WeldedCorners>& corners, std::size_t vertex_count, OperandFaces& faces) {
-  UnionFind joined(vertex_count);
-  for (const WeldedCorners& c : corners) {
-    joined.join(c[0], c[1]);
-    joined.join(c[1], c[2]);
-  }
-  for (const WeldedCorners& c : corners) faces.part.push_back(joined.find(c[0]));
-}
-
-bool has_meeting_parts(const OperandFaces& faces, OperandId k) {
-  if (faces.end(k) == faces.first[k]) return false;
-  const auto parts = std::span(faces.part.values()).subspan(faces.first[k], faces.end(k) - faces.first[k]);
-  if (std::adjacent_find(parts.begin(), parts.end(), std::not_equal_to<>()) == parts.end()) return false;
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> by_part;
-  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) by_part.emplace_back(faces.part[SourceId(f)], f);
-  std::sort(by_part.begin(), by_part.end());
-  std::vector<Box3> boxes;
-  for (std::size_t i = 0; i < by_part.size(); ++i) {
-    if (i == 0 || by_part[i].first != by_part[i - 1].first) boxes.emplace_back();
-    boxes.back().extend(faces.box(SourceId(by_part[i].second)));
-  }
+bool has_meeting_parts(const OperandFaces& faces, OperandId k, const Connectivity& connectivity) {
+  if (connectivity.part_count < 2) return false;
+  std::vector<Box3> boxes(connectivity.part_count);
+  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) boxes[faces.part[SourceId(f)]].extend(faces.box(SourceId(f)));
   bool meet = false;
   for_each_meeting_pair_within(BoxTree(boxes), [&](std::uint32_t, std::uint32_t) { meet = true; });
   return meet;
 }
 
-SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, bool has_coincident) {
-  if (has_coincident || !is_closed(faces, k)) return SelfContacts::All;
-  if (has_meeting_parts(faces, k)) return SelfContacts::Parts;
+SelfContacts self_contacts_of(const OperandFaces& faces, OperandId k, const Connectivity& connectivity) {
+  if (connectivity.has_coincident_faces || !connectivity.is_closed) return SelfContacts::All;
+  if (has_meeting_parts(faces, k, connectivity)) return SelfContacts::Parts;
   for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) {
     if (faces.shape[SourceId(f)] == FaceShape::Collinear) return SelfContacts::Collinear;
   }
@@ -141,24 +64,95 @@ void append_walls(const SurfaceMesh& mesh, OperandFaces& faces) {
   faces.kind.push_back(!has_walls ? OperandKind::Solid : has_others ? OperandKind::SolidWithWalls : OperandKind::Sheet);
 }
 
-void append_operand(const SurfaceMesh& mesh, Welder& welder, OperandFaces& faces) {
-  const OperandId k(faces.operand_count());
+// Adds the points of a prepared operand, each position once.
+std::vector<PointId> add_positions(const SurfaceMesh& mesh, const PreparedOperand& prepared, PointSet& points) {
+  std::vector<PointId> point_at;
+  point_at.reserve(prepared.first_vertex().size());
+  for (const std::uint32_t v : prepared.first_vertex()) point_at.push_back(points.add_input(mesh.points[v]));
+  return point_at;
+}
+
+// Are all positions of an operand still different points? Those from `first_own` on are its own, in ascending order where it added them.
+bool are_all_different(const std::vector<PointId>& point_at, std::size_t first_own) {
+  std::vector<PointId> of_others;
+  std::size_t next_own = first_own;
+  for (const PointId p : point_at) {
+    if (p.index() < first_own) {
+      of_others.push_back(p);
+    } else if (p.index() != next_own++) {
+      return false;
+    }
+  }
+  std::sort(of_others.begin(), of_others.end());
+  return std::adjacent_find(of_others.begin(), of_others.end()) == of_others.end();
+}
+
+// Adds the points of operand k. Does what was known of it still hold?
+bool append_points(const OperandList& operands, OperandId k, OperandFaces& faces) {
+  const SurfaceMesh& mesh = operands.mesh(k.index());
+  const PreparedOperand* prepared = operands.prepared(k.index());
   std::vector<PointId>& point_of = faces.point_of_vertex[faces.point_of_vertex.push_back({})];
   point_of.reserve(mesh.points.size());
-  for (const Vec3d& p : mesh.points) point_of.push_back(faces.points.add_input(p));
-  for (const Triangle& t : mesh.triangles) {
+  if (prepared == nullptr) {
+    for (const Vec3d& p : mesh.points) point_of.push_back(faces.points.add_input(p));
+    return false;
+  }
+  const std::size_t first_own = faces.points.size();
+  const std::vector<PointId> point_at = add_positions(mesh, *prepared, faces.points);
+  for (const std::uint32_t position : prepared->position_of_vertex()) point_of.push_back(point_at[position]);
+  return are_all_different(point_at, first_own);
+}
+
+// What a prepared operand knows of its faces where it is now; of a plain mesh nothing.
+KnownOperand known_operand(const OperandList& operands, OperandId k) {
+  const PreparedOperand& prepared = *operands.prepared(k.index());
+  const bool is_in_place = operands.is_in_place(k.index());
+  const AffineMap& place = operands.place(k.index());
+  const Box3& bounds = prepared.tree().bounds();
+  return {&prepared, is_in_place, is_in_place ? 0 : rounding_seen_in_mesh(place, bounds), PlacedBoxes(place, bounds)};
+}
+
+void append_faces(const SurfaceMesh& mesh, OperandId k, OperandFaces& faces) {
+  const KnownOperand& known = faces.known[k];
+  const bool keeps_area = known.prepared != nullptr && known.prepared->least_height() > 4 * known.rounding;
+  const std::vector<PointId>& point_of = faces.point_of_vertex[k];
+  Box3 bounds;
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    const Triangle& t = mesh.triangles[f];
     const PlanePoints c{point_of[t[0].index()], point_of[t[1].index()], point_of[t[2].index()]};
     faces.corners.push_back(c);
     faces.operand.push_back(k);
-    faces.shape.push_back(shape_of(faces.points, c));
+    faces.shape.push_back(keeps_area && known.prepared->has_area(FaceId(f)) ? FaceShape::Proper : shape_of(faces.points, c));
+    for (const VertexId v : t) bounds.extend(mesh.points[v.index()]);
   }
   append_walls(mesh, faces);
   faces.first.push_back(static_cast<std::uint32_t>(faces.corners.size()));
-  const std::vector<WeldedCorners> corners = welder.weld(mesh, point_of, faces.points.size());
-  number_parts(corners, mesh.points.size(), faces);
-  faces.self_contacts.push_back(self_contacts_of(faces, k, has_coincident_faces(corners, mesh.points.size())));
-  faces.bounds.push_back({});
-  for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) faces.bounds[k].extend(faces.box(SourceId(f)));
+  faces.bounds.push_back(bounds);
+}
+
+void append_connectivity(const Connectivity& connectivity, OperandId k, OperandFaces& faces) {
+  for (const std::uint32_t part : connectivity.part_of_face) faces.part.push_back(part);
+  faces.self_contacts.push_back(self_contacts_of(faces, k, connectivity));
+}
+
+void validate_operand(const SurfaceMesh& mesh, std::size_t k) {
+  try {
+    validate(mesh);
+  } catch (Error& error) {
+    throw std::move(error).in_operand(k);
+  }
+}
+
+void append_operand(const OperandList& operands, OperandId k, Welder& welder, OperandFaces& faces) {
+  const SurfaceMesh& mesh = operands.mesh(k.index());
+  const bool is_known = append_points(operands, k, faces);
+  faces.known.push_back(is_known ? known_operand(operands, k) : KnownOperand{});
+  append_faces(mesh, k, faces);
+  if (is_known) {
+    append_connectivity(operands.prepared(k.index())->connectivity(), k, faces);
+  } else {
+    append_connectivity(find_connectivity(mesh, welder.lowest_vertices(faces.point_of_vertex[k], faces.points.size())), k, faces);
+  }
 }
 
 }  // namespace
@@ -174,18 +168,14 @@ void make_sheet(OperandId k, OperandFaces& faces) {
   for (std::uint32_t f = faces.first[k]; f < faces.end(k); ++f) faces.is_wall[SourceId(f)] = 1;
 }
 
-OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
+OperandFaces gather_operands(const OperandList& operands) {
   OperandFaces faces;
   std::size_t point_count = 0;
   std::size_t face_count = 0;
   for (std::size_t k = 0; k < operands.size(); ++k) {
-    try {
-      validate(*operands[k]);
-    } catch (Error& error) {
-      throw std::move(error).in_operand(k);
-    }
-    point_count += operands[k]->points.size();
-    face_count += operands[k]->triangles.size();
+    if (operands.prepared(k) == nullptr) validate_operand(operands.mesh(k), k);
+    point_count += operands.mesh(k).points.size();
+    face_count += operands.mesh(k).triangles.size();
   }
   faces.points.reserve(point_count);
   faces.corners.reserve(face_count);
@@ -194,7 +184,7 @@ OperandFaces gather_operands(std::span<const SurfaceMesh* const> operands) {
   faces.is_wall.reserve(face_count);
   faces.first.push_back(0);
   Welder welder;
-  for (const SurfaceMesh* mesh : operands) append_operand(*mesh, welder, faces);
+  for (std::size_t k = 0; k < operands.size(); ++k) append_operand(operands, OperandId(k), welder, faces);
   if (operands.size() == 1) faces.self_contacts[OperandId(0)] = SelfContacts::All;
   return faces;
 }

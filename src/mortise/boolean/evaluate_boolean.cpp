@@ -129,17 +129,17 @@ AgreementOfFaces agreement_of_labels(std::span<const SurfaceMesh* const> operand
   };
 }
 
-std::vector<SheetOperand> sheets_of(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces) {
+std::vector<SheetOperand> sheets_of(const OperandList& operands, const OperandFaces& faces) {
   std::vector<SheetOperand> sheets;
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
-    if (faces.kind[OperandId(k)] == OperandKind::Sheet) sheets.push_back({k, open_edges(*operands[k], faces, OperandId(k))});
+    if (faces.kind[OperandId(k)] == OperandKind::Sheet) sheets.push_back({k, open_edges(operands.mesh(k), faces, OperandId(k))});
   }
   return sheets;
 }
 
 }  // namespace
 
-EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, const OperandList& operands,
                                               const BooleanOptions& options) {
   BooleanResult result;
   BooleanReport& report = result.report;
@@ -147,10 +147,10 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
   report_progress(options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
-  std::vector<DataChannel> channels = join_channels(operands);
+  std::vector<DataChannel> channels = join_channels(operands.meshes());
   mark_half_spaces(options.half_spaces, faces);
   Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
-  refuse_operands(operands, faces, arrangement.categories);
+  refuse_operands(operands.meshes(), faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
   Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
   refuse_unbounded(name, faces, arrangement.facets, selection);
@@ -159,10 +159,10 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   });
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
   if (options.simplify != Simplify::Off) {
-    const SimplifyRule rule{options.simplify, agreement_of_labels(operands, faces), arrangement.map.contact_points};
+    const SimplifyRule rule{options.simplify, agreement_of_labels(operands.meshes(), faces), arrangement.map.contact_points};
     selection = timed(times, "simplify", [&] { return simplify(rule, faces, arrangement.facets, std::move(selection)); });
   }
-  MergedMesh merged = timed(times, "merge", [&] { return merge(operands, faces, arrangement.facets, selection); });
+  MergedMesh merged = timed(times, "merge", [&] { return merge(operands.meshes(), faces, arrangement.facets, selection); });
   RoundedResult rounded =
       timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
   if (options.certify == CertificateLevel::Absolute) timed(times, "certify", [&] { return certify_all_pairs(rounded); });
@@ -174,43 +174,43 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   result.provenance = std::move(rounded.merged.provenance);
   const std::vector<PointId>& points = rounded.merged.point_of_vertex;
   if (!channels.empty()) {
-    const auto transfer = [&] { return transfer_to(result, {operands, faces, points}, std::move(channels), options.progress); };
+    const auto transfer = [&] { return transfer_to(result, {operands.meshes(), faces, points}, std::move(channels), options.progress); };
     result.mesh.corner_data = timed(times, "transfer_data", transfer);
   }
   report_progress(options.progress, "certify", 1);
   return {std::move(result), std::move(faces), std::move(rounded.merged.point_of_vertex)};
 }
 
-BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+BooleanResult evaluate_selection(std::string_view name, const Selector& select, const OperandList& operands,
                                  const BooleanOptions& options) {
   return evaluate_selection_exactly(name, select, operands, options).result;
 }
 
-BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+BooleanResult evaluate_boolean(Operation operation, const OperandList& operands, const BooleanOptions& options) {
   const auto selector = [operation](const OperandFaces& faces, const Facets& facets, const Categories& categories) {
     return select(operation, faces, facets, categories);
   };
   return evaluate_selection(operation_name(operation), selector, operands, options);
 }
 
-BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::Union, std::array{&a, &b}, options);
+BooleanResult unite(const Operand& a, const Operand& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Union, std::array{a, b}, options);
 }
 
-BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::Intersect, std::array{&a, &b}, options);
+BooleanResult intersect(const Operand& a, const Operand& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Intersect, std::array{a, b}, options);
 }
 
-BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::Subtract, std::array{&a, &b}, options);
+BooleanResult subtract(const Operand& a, const Operand& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Subtract, std::array{a, b}, options);
 }
 
-BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::SymmetricDifference, std::array{&a, &b}, options);
+BooleanResult symmetric_difference(const Operand& a, const Operand& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::SymmetricDifference, std::array{a, b}, options);
 }
 
-BooleanResult partition(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::Partition, std::array{&a, &b}, options);
+BooleanResult partition(const Operand& a, const Operand& b, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Partition, std::array{a, b}, options);
 }
 
 }  // namespace mortise

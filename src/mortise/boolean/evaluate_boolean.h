@@ -4,8 +4,8 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 
+#include "mortise/arrange/operand_list.h"
 #include "mortise/base/progress.h"
 #include "mortise/boolean/operation.h"
 #include "mortise/boolean/result.h"
@@ -24,7 +24,8 @@ struct BooleanOptions {
 /// The union, the intersection, the first operand minus all others, what lies in an odd number of operands, or the partition:
 /// the union with the faces inside it that separate regions of different operands, each of them once.
 ///
-/// Operands are closed and oriented outwards, or open sheets, in any number (one resolves itself); vertices need not be shared.
+/// Operands are closed and oriented outwards, or open sheets, in any number (one resolves itself); vertices need not be shared. Each is
+/// a mesh, or a prepared one where a map puts it: the result is the same to the last bit.
 /// They may touch, coincide, contain one another, have cavities and walls and cross themselves. A point is inside a solid where
 /// its winding is positive; a crossing of one connected part with itself that no other operand comes near stays as it is
 /// (docs/decisions/004). An empty result is a mesh without triangles.
@@ -36,13 +37,12 @@ struct BooleanOptions {
 /// @throws Error{InvalidArgument} when the result would reach to infinity
 /// @throws Error{NotFinite, BadIndex, NotClosed, NotOriented, InsideOut, OutOfRange, ResultTooLarge, Cancelled}
 /// Near-linear in the operands, plus time in proportion to the contact. Exact until the vertices are rounded, once.
-[[nodiscard]] BooleanResult evaluate_boolean(Operation operation, std::span<const SurfaceMesh* const> operands,
-                                             const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult evaluate_boolean(Operation operation, const OperandList& operands, const BooleanOptions& options = {});
 
-[[nodiscard]] BooleanResult unite(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
-[[nodiscard]] BooleanResult intersect(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
-[[nodiscard]] BooleanResult subtract(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
-[[nodiscard]] BooleanResult symmetric_difference(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
-[[nodiscard]] BooleanResult partition(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult unite(const Operand& a, const Operand& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult intersect(const Operand& a, const Operand& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult subtract(const Operand& a, const Operand& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult symmetric_difference(const Operand& a, const Operand& b, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult partition(const Operand& a, const Operand& b, const BooleanOptions& options = {});
 
 }  // namespace mortise

@@ -19,8 +19,7 @@ void refuse_unbounded(bool is_true_outside) {
 
 }  // namespace
 
-BooleanResult evaluate_expression(std::string_view expression, std::span<const SurfaceMesh* const> operands,
-                                  const BooleanOptions& options) {
+BooleanResult evaluate_expression(std::string_view expression, const OperandList& operands, const BooleanOptions& options) {
   const Expression parsed(expression, operands.size());
   refuse_unbounded(RunningExpression(parsed).value());
   const auto selector = [&](const OperandFaces& faces, const Facets& facets, const Categories& categories) {
@@ -30,8 +29,8 @@ BooleanResult evaluate_expression(std::string_view expression, std::span<const S
   return evaluate_selection(stage_name, selector, operands, options);
 }
 
-BooleanResult evaluate_where(const std::function<bool(const RunningWinding&)>& is_inside_result,
-                             std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+BooleanResult evaluate_where(const std::function<bool(const RunningWinding&)>& is_inside_result, const OperandList& operands,
+                             const BooleanOptions& options) {
   refuse_unbounded(is_inside_result(RunningWinding(std::vector<int>(operands.size(), 0))));
   const auto selector = [&](const OperandFaces& faces, const Facets& facets, const Categories& categories) {
     return select(is_inside_result, faces, facets, categories);

@@ -18,14 +18,14 @@ namespace mortise {
 /// number), `|`. Operands and result are those of evaluate_boolean; operands the expression does not name may leave vertices
 /// and edges where they touch the others.
 /// @throws Error{InvalidArgument} naming the column; also for an expression that is true outside all operands
-[[nodiscard]] BooleanResult evaluate_expression(std::string_view expression, std::span<const SurfaceMesh* const> operands,
+[[nodiscard]] BooleanResult evaluate_expression(std::string_view expression, const OperandList& operands,
                                                 const BooleanOptions& options = {});
 
 /// The regions a function chooses: asked once per region of one complex of touching operands, in a fixed order.
 ///
 /// @param is_inside_result  depends on which operands contain the region; false when none does
 /// @throws Error{InvalidArgument} when it is true outside all operands
-[[nodiscard]] BooleanResult evaluate_where(const std::function<bool(const RunningWinding&)>& is_inside_result,
-                                           std::span<const SurfaceMesh* const> operands, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult evaluate_where(const std::function<bool(const RunningWinding&)>& is_inside_result, const OperandList& operands,
+                                           const BooleanOptions& options = {});
 
 }  // namespace mortise

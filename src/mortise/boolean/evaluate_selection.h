@@ -4,7 +4,6 @@
 #pragma once
 
 #include <functional>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -20,7 +19,7 @@ using Selector = std::function<Selection(const OperandFaces&, const Facets&, con
 ///
 /// @param name  of the operation, for errors about the call as a whole
 /// @throws what evaluate_boolean does, and what `select` does
-[[nodiscard]] BooleanResult evaluate_selection(std::string_view name, const Selector& select, std::span<const SurfaceMesh* const> operands,
+[[nodiscard]] BooleanResult evaluate_selection(std::string_view name, const Selector& select, const OperandList& operands,
                                                const BooleanOptions& options);
 
 /// A result, and where its vertices are exactly.
@@ -31,7 +30,7 @@ struct EvaluatedSelection {
 };
 
 /// The same for those who have more to ask of the arrangement.
-[[nodiscard]] EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select,
-                                                            std::span<const SurfaceMesh* const> operands, const BooleanOptions& options);
+[[nodiscard]] EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, const OperandList& operands,
+                                                            const BooleanOptions& options);
 
 }  // namespace mortise

@@ -8,7 +8,7 @@
 
 namespace mortise {
 
-BooleanResult implant(std::span<const SurfaceMesh* const> operands, ImplantContact contact, const BooleanOptions& options) {
+BooleanResult implant(const OperandList& operands, ImplantContact contact, const BooleanOptions& options) {
   constexpr const char* name = "implant";
   if (operands.size() < 2) throw Error(ErrorCode::InvalidArgument, name, "a host and a component are needed");
   const auto unite = [](const OperandFaces& faces, const Facets& facets, const Categories& categories) {

@@ -23,7 +23,7 @@ enum class ImplantContact : std::uint8_t {
 /// owners run outwards of the later one. Sheets stay where no later component has the space. With ImplantContact::Drop it is the union
 /// (docs/decisions/005).
 /// @throws Error{InvalidArgument} for less than two operands, and what evaluate_boolean throws
-[[nodiscard]] BooleanResult implant(std::span<const SurfaceMesh* const> operands, ImplantContact contact = ImplantContact::Keep,
+[[nodiscard]] BooleanResult implant(const OperandList& operands, ImplantContact contact = ImplantContact::Keep,
                                     const BooleanOptions& options = {});
 
 }  // namespace mortise

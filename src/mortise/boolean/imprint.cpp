@@ -125,21 +125,19 @@ std::vector<DataChannel> data_of(OperandId k, const EvaluatedSelection& evaluate
 
 }  // namespace
 
-ImprintResult imprint(std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+ImprintResult imprint(const OperandList& operands, const BooleanOptions& options) {
   EvaluatedSelection evaluated = evaluate_selection_exactly("imprint", select_all, operands, options);
   ImprintResult result;
   const auto triangles = triangles_by_operand(evaluated.result.provenance, operands.size());
   OperandReader reader(evaluated.result.mesh);
   for (std::size_t k = 0; k < operands.size(); ++k) {
-    result.operands.push_back(reader.read(*operands[k], triangles[k]));
-    result.operands.back().mesh.corner_data = data_of(OperandId(k), evaluated, operands, triangles[k]);
+    result.operands.push_back(reader.read(operands.mesh(k), triangles[k]));
+    result.operands.back().mesh.corner_data = data_of(OperandId(k), evaluated, operands.meshes(), triangles[k]);
   }
   result.whole = std::move(evaluated.result);
   return result;
 }
 
-ImprintResult imprint(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options) {
-  return imprint(std::array{&a, &b}, options);
-}
+ImprintResult imprint(const Operand& a, const Operand& b, const BooleanOptions& options) { return imprint(std::array{a, b}, options); }
 
 }  // namespace mortise

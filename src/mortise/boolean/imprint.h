@@ -37,7 +37,7 @@ struct ImprintResult {
 /// Faces without area go, vertices without faces too. There is one certificate, about all facets together; a repair moves
 /// vertices for all operands alike. An imprint of imprinted operands adds nothing.
 /// @throws what evaluate_boolean does
-[[nodiscard]] ImprintResult imprint(std::span<const SurfaceMesh* const> operands, const BooleanOptions& options = {});
-[[nodiscard]] ImprintResult imprint(const SurfaceMesh& a, const SurfaceMesh& b, const BooleanOptions& options = {});
+[[nodiscard]] ImprintResult imprint(const OperandList& operands, const BooleanOptions& options = {});
+[[nodiscard]] ImprintResult imprint(const Operand& a, const Operand& b, const BooleanOptions& options = {});
 
 }  // namespace mortise

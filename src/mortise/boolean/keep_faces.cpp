@@ -64,7 +64,7 @@ KeepMask keep_mask(std::span<const std::string> names) {
   return static_cast<KeepMask>(mask);
 }
 
-BooleanResult keep_faces(KeepMask mask, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options) {
+BooleanResult keep_faces(KeepMask mask, const OperandList& operands, const BooleanOptions& options) {
   if (mask >= 1U << tag_names.size()) throw Error(ErrorCode::InvalidArgument, stage_name, "a mask has six bits");
   BooleanResult result = evaluate_selection(stage_name, select_cut_faces, operands, options);
   const std::vector<std::uint8_t> is_kept = triangles_in(mask, result.provenance);

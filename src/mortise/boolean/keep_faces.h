@@ -36,6 +36,6 @@ using KeepMask = std::uint8_t;
 /// faces are rounded, repaired and certified together before any is left out: what different sets keep fits together vertex by
 /// vertex, and the certificate is that of all faces; `failed_faces` names those of them that were kept.
 /// @throws Error{InvalidArgument} for a mask of 64 and more, and what evaluate_boolean throws
-[[nodiscard]] BooleanResult keep_faces(KeepMask mask, std::span<const SurfaceMesh* const> operands, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult keep_faces(KeepMask mask, const OperandList& operands, const BooleanOptions& options = {});
 
 }  // namespace mortise

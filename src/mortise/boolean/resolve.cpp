@@ -7,8 +7,8 @@
 
 namespace mortise {
 
-BooleanResult resolve(const SurfaceMesh& mesh, const BooleanOptions& options) {
-  return evaluate_boolean(Operation::Union, std::array{&mesh}, options);
+BooleanResult resolve(const Operand& mesh, const BooleanOptions& options) {
+  return evaluate_boolean(Operation::Union, std::array{mesh}, options);
 }
 
 }  // namespace mortise

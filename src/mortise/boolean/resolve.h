@@ -14,6 +14,6 @@ namespace mortise {
 /// that cancel not at all; a mesh without any of these comes back as it was.
 /// @throws what evaluate_boolean does
 /// Near-linear in the faces, plus time in proportion to the crossings.
-[[nodiscard]] BooleanResult resolve(const SurfaceMesh& mesh, const BooleanOptions& options = {});
+[[nodiscard]] BooleanResult resolve(const Operand& mesh, const BooleanOptions& options = {});
 
 }  // namespace mortise

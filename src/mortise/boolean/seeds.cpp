@@ -159,16 +159,11 @@ class SeedFinder {
     return winding;
   }
 
-  // Few rays look at all faces, many deserve a tree.
+  // Few rays look at all faces, many deserve a tree; a prepared operand has one.
   template <class Visit>
   void for_each_face_on_ray(OperandId k, const Box3& ray, Visit visit) {
     constexpr std::uint32_t few_rays = 8;
-    if (complex_count_ <= few_rays) {
-      for (std::uint32_t f = faces_.first[k]; f < faces_.end(k); ++f) {
-        if (boxes_meet(faces_.box(SourceId(f)), ray)) visit(SourceId(f));
-      }
-      return;
-    }
+    if (complex_count_ <= few_rays || faces_.known[k].prepared != nullptr) return for_each_face_meeting(ray, faces_, k, visit);
     if (trees_[k].empty()) {
       std::vector<Box3> boxes;
       for (std::uint32_t f = faces_.first[k]; f < faces_.end(k); ++f) boxes.push_back(faces_.box(SourceId(f)));

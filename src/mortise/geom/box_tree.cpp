@@ -115,11 +115,45 @@ std::vector<BoxTree::Node> build_nodes(const std::vector<CodedItem>& items) {
 
 BoxTree::BoxTree(std::span<const Box3> boxes) {
   if (boxes.empty()) return;
-  for (const Box3& box : boxes) bounds_.extend(box);
-  const std::vector<CodedItem> sorted = sort_by_code(boxes, bounds_);
+  Box3 bounds;
+  for (const Box3& box : boxes) bounds.extend(box);
+  const std::vector<CodedItem> sorted = sort_by_code(boxes, bounds);
   items_.reserve(boxes.size());
   for (const CodedItem& item : sorted) items_.push_back({boxes[item.id], item.id});
   nodes_ = build_nodes(sorted);
+  fit_nodes();
+}
+
+void BoxTree::take_nodes(const BoxTree& other, std::vector<KeptItems> kept) {
+  const std::vector<Node>& nodes = other.nodes_;
+  for (std::size_t n = nodes.size(); n-- > 0;) {
+    if (!nodes[n].is_leaf()) kept[n].count = kept[nodes[n].first].count + kept[nodes[n].first + 1].count;
+  }
+  if (items_.empty()) return;
+  nodes_.emplace_back();
+  std::vector<std::pair<std::uint32_t, std::size_t>> stack{{0, 0}};  // a node of the other tree and its place in this one
+  while (!stack.empty()) {
+    auto [from, to] = stack.back();
+    stack.pop_back();
+    while (!nodes[from].is_leaf() && (kept[nodes[from].first].count == 0 || kept[nodes[from].first + 1].count == 0)) {
+      from = nodes[from].first + (kept[nodes[from].first].count == 0 ? 1 : 0);
+    }
+    if (nodes[from].is_leaf()) {
+      nodes_[to].first = kept[from].first;
+      nodes_[to].count = kept[from].count;
+      continue;
+    }
+    const std::size_t left = nodes_.size();
+    nodes_[to].first = static_cast<std::uint32_t>(left);
+    nodes_.resize(left + 2);
+    stack.emplace_back(nodes[from].first + 1, left + 1);
+    stack.emplace_back(nodes[from].first, left);
+  }
+  fit_nodes();
+}
+
+/// Children come after their parents.
+void BoxTree::fit_nodes() {
   for (std::size_t n = nodes_.size(); n-- > 0;) {
     Node& node = nodes_[n];
     if (node.is_leaf()) {
@@ -129,6 +163,7 @@ BoxTree::BoxTree(std::span<const Box3> boxes) {
       node.box.extend(nodes_[node.first + 1].box);
     }
   }
+  if (!nodes_.empty()) bounds_ = nodes_[0].box;
 }
 
 }  // namespace mortise

@@ -32,6 +32,15 @@ class BoxTree {
   BoxTree() = default;
   explicit BoxTree(std::span<const Box3> boxes);
 
+  /// The tree of some of the items over other boxes: box_of(id) instead of that of item id, left out where that is empty. Items
+  /// below a node are left out unasked unless may_keep(box of the node) holds. Its shape is what is left of this one.
+  template <class MayKeep, class BoxOf>
+  [[nodiscard]] BoxTree with_boxes(MayKeep may_keep, BoxOf box_of) const;
+
+  /// Calls visit(node) for each leaf such that may_hold(box) holds for it and all nodes above it.
+  template <class MayHold, class Visit>
+  void for_each_leaf_below(MayHold may_hold, Visit visit) const;
+
   /// Calls visit(item) once for each box that shares a point with `query`.
   template <class Visit>
   void for_each_meeting(const Box3& query, Visit visit) const;
@@ -48,10 +57,52 @@ class BoxTree {
   }
 
  private:
+  /// Items below a node that stay.
+  struct KeptItems {
+    std::uint32_t first = 0, count = 0;
+  };
+
+  void fit_nodes();
+  /// Takes over the nodes of another tree with anything below them.
+  void take_nodes(const BoxTree& other, std::vector<KeptItems> kept);
+
   std::vector<Node> nodes_;
   std::vector<Item> items_;
   Box3 bounds_;
 };
+
+template <class MayHold, class Visit>
+void BoxTree::for_each_leaf_below(MayHold may_hold, Visit visit) const {
+  std::vector<std::uint32_t> stack;
+  if (!nodes_.empty() && may_hold(nodes_[0].box)) stack.push_back(0);
+  while (!stack.empty()) {
+    const std::uint32_t n = stack.back();
+    stack.pop_back();
+    if (nodes_[n].is_leaf()) {
+      visit(n);
+      continue;
+    }
+    for (const std::uint32_t child : {nodes_[n].first + 1, nodes_[n].first}) {
+      if (may_hold(nodes_[child].box)) stack.push_back(child);
+    }
+  }
+}
+
+template <class MayKeep, class BoxOf>
+BoxTree BoxTree::with_boxes(MayKeep may_keep, BoxOf box_of) const {
+  BoxTree tree;
+  std::vector<KeptItems> kept(nodes_.size());
+  for_each_leaf_below(may_keep, [&](std::uint32_t leaf) {
+    kept[leaf].first = static_cast<std::uint32_t>(tree.items_.size());
+    for (const Item& item : items_of(nodes_[leaf])) {
+      const Box3 box = box_of(item.id);
+      if (!box.is_empty()) tree.items_.push_back({box, item.id});
+    }
+    kept[leaf].count = static_cast<std::uint32_t>(tree.items_.size()) - kept[leaf].first;
+  });
+  tree.take_nodes(*this, std::move(kept));
+  return tree;
+}
 
 template <class Visit>
 void BoxTree::for_each_meeting(const Box3& query, Visit visit) const {
