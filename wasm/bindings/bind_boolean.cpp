@@ -3,6 +3,7 @@
 // The booleans: meshes in, {mesh, report, graph, provenance} out.
 #include <emscripten/bind.h>
 
+#include <deque>
 #include <functional>
 #include <span>
 #include <string>
@@ -15,59 +16,65 @@
 #include "mortise/boolean/implant.h"
 #include "mortise/boolean/imprint.h"
 #include "mortise/boolean/keep_faces.h"
-#include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/half_space.h"
 #include "mortise/mesh/measures.h"
+#include "mortise/mesh/transform.h"
+#include "prepared.h"
 #include "report.h"
+#include "steps.h"
 
 namespace mortise::wasm {
 namespace {
 
 using emscripten::val;
 
-SurfaceMesh operand_in(const val& object, std::size_t index) {
-  try {
-    return mesh_in(object);
-  } catch (Error& error) {
-    throw std::move(error).in_operand(index);
-  }
-}
-
+/// What JavaScript handed in. Copies of meshes live here; prepared operands stay for the call, even if its listener disposes of them.
 struct Operands {
-  std::vector<SurfaceMesh> meshes;
+  std::deque<SurfaceMesh> meshes;
+  std::vector<KeptOperand> kept;
+  std::vector<Operand> operands;
   std::vector<std::size_t> half_spaces;
 };
 
-SurfaceMesh half_space_in(const val& plane, const Box3& box, std::size_t index) {
-  try {
-    return make_half_space(plane_in(plane), box);
-  } catch (Error& error) {
-    throw std::move(error).in_operand(index);
+/// A mesh, or a prepared one and the steps that move it: {prepared, steps}.
+Operand operand_in(const val& object, Operands& operands) {
+  const val prepared = object["prepared"];
+  if (prepared.isUndefined()) return Operand(operands.meshes.emplace_back(mesh_in(object)));
+  operands.kept.push_back(prepared_operand(prepared.as<std::uint32_t>()));
+  return Operand(*operands.kept.back(), map_of_steps(object["steps"]));
+}
+
+/// The box round all operands that are no half-spaces.
+Box3 box_of(const Operands& operands) {
+  Box3 box;
+  for (const Operand& operand : operands.operands) box.extend(bounding_box(transform(operand.mesh(), operand.place())));
+  return box;
+}
+
+/// Half-spaces {plane} are as large as the others need.
+void put_half_spaces(const val& array, Operands& operands) {
+  if (operands.half_spaces.empty()) return;
+  const Box3 box = box_of(operands);
+  for (const std::size_t i : operands.half_spaces) {
+    const auto make = [&] { return make_half_space(plane_in(array[i]["plane"]), box); };
+    const SurfaceMesh& mesh = operands.meshes.emplace_back(in_operand(i, make));
+    operands.operands.insert(operands.operands.begin() + static_cast<std::ptrdiff_t>(i), Operand(mesh));
   }
 }
 
-/// Meshes, and half-spaces {plane} as large as the meshes need.
 Operands operands_in(const val& array) {
   Operands operands;
-  operands.meshes.resize(array["length"].as<std::size_t>());
-  Box3 box;
-  for (std::size_t i = 0; i < operands.meshes.size(); ++i) {
-    if (!array[i]["plane"].isUndefined()) {
+  const auto count = array["length"].as<std::size_t>();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (array[i]["plane"].isUndefined()) {
+      operands.operands.push_back(in_operand(i, [&] { return operand_in(array[i], operands); }));
+    } else {
       operands.half_spaces.push_back(i);
-      continue;
     }
-    operands.meshes[i] = operand_in(array[i], i);
-    box.extend(bounding_box(operands.meshes[i]));
   }
-  for (const std::size_t i : operands.half_spaces) operands.meshes[i] = half_space_in(array[i]["plane"], box, i);
+  put_half_spaces(array, operands);
   return operands;
-}
-
-std::vector<const SurfaceMesh*> pointers_to(const std::vector<SurfaceMesh>& meshes) {
-  std::vector<const SurfaceMesh*> pointers;
-  for (const SurfaceMesh& mesh : meshes) pointers.push_back(&mesh);
-  return pointers;
 }
 
 /// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids, simplify, certify}
@@ -140,11 +147,18 @@ val provenance_out(const Provenance& provenance, const ResultRegions& regions) {
   return object;
 }
 
-val result_out(const Operands& operands, const BooleanResult& result, Search search) {
+/// What was called, and with what.
+struct Called {
+  const OperandList& operands;
+  const BooleanOptions& options;
+  Search search;
+};
+
+val result_out(const Called& call, const BooleanResult& result) {
   val object = val::object();
   object.set("mesh", mesh_out(result.mesh));
   const ResultRegions regions = find_result_regions(result);
-  object.set("report", boolean_report_out(operands.meshes, operands.half_spaces, result, regions, search));
+  object.set("report", boolean_report_out(call.operands.meshes(), call.options.half_spaces, result, regions, call.search));
   object.set("graph", graph_out(result.graph));
   object.set("provenance", provenance_out(result.provenance, regions));
   return object;
@@ -160,57 +174,51 @@ val imprinted_operand_out(const ImprintedOperand& operand) {
   return object;
 }
 
-using Pointers = std::vector<const SurfaceMesh*>;
-using Evaluate = std::function<BooleanResult(const Pointers&, const BooleanOptions&)>;
+using Evaluate = std::function<val(const Called&)>;
 
 /// @param settings  {inspect}, and those of options_in
-val answer_boolean(const val& meshes, const val& settings, const Evaluate& evaluate) {
+val answer_call(const val& meshes, const val& settings, const Evaluate& evaluate) {
   return answer([&] {
-    const Operands operands = operands_in(meshes);
+    const Operands given = operands_in(meshes);
     BooleanOptions options = options_in(settings);
-    options.half_spaces = operands.half_spaces;
-    return result_out(operands, evaluate(pointers_to(operands.meshes), options), search_in(settings));
+    options.half_spaces = given.half_spaces;
+    return evaluate({OperandList(given.operands), options, search_in(settings)});
   });
 }
 
 val evaluate(const std::string& operation, const val& meshes, const val& settings) {
-  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
-    return evaluate_boolean(operation_from_name(operation), operands, options);
+  return answer_call(meshes, settings, [&](const Called& call) {
+    return result_out(call, evaluate_boolean(operation_from_name(operation), call.operands, call.options));
   });
 }
 
 val combine(const std::string& expression, const val& meshes, const val& settings) {
-  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
-    return evaluate_expression(expression, operands, options);
-  });
+  return answer_call(meshes, settings,
+                     [&](const Called& call) { return result_out(call, evaluate_expression(expression, call.operands, call.options)); });
 }
 
 val keep(const val& tags, const val& meshes, const val& settings) {
-  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
-    return keep_faces(keep_mask(strings_in(tags)), operands, options);
+  return answer_call(meshes, settings, [&](const Called& call) {
+    return result_out(call, keep_faces(keep_mask(strings_in(tags)), call.operands, call.options));
   });
 }
 
 val implant_components(const std::string& contact, const val& meshes, const val& settings) {
-  return answer_boolean(meshes, settings, [&](const Pointers& operands, const BooleanOptions& options) {
-    return implant(operands, contact == "drop" ? ImplantContact::Drop : ImplantContact::Keep, options);
-  });
+  const ImplantContact kind = contact == "drop" ? ImplantContact::Drop : ImplantContact::Keep;
+  return answer_call(meshes, settings, [&](const Called& call) { return result_out(call, implant(call.operands, kind, call.options)); });
 }
 
+/// The union of one operand resolves it.
 val resolve_mesh(const val& mesh, const val& settings) {
   const val meshes = val::array();
   meshes.call<void>("push", mesh);
-  return answer_boolean(meshes, settings,
-                        [&](const Pointers& operands, const BooleanOptions& options) { return resolve(*operands.front(), options); });
+  return evaluate(std::string(operation_name(Operation::Union)), meshes, settings);
 }
 
 val imprint_operands(const val& meshes, const val& settings) {
-  return answer([&] {
-    const Operands operands = operands_in(meshes);
-    BooleanOptions options = options_in(settings);
-    options.half_spaces = operands.half_spaces;
-    const ImprintResult result = imprint(pointers_to(operands.meshes), options);
-    val object = result_out(operands, result.whole, search_in(settings));
+  return answer_call(meshes, settings, [&](const Called& call) {
+    const ImprintResult result = imprint(call.operands, call.options);
+    val object = result_out(call, result.whole);
     val array = val::array();
     for (const ImprintedOperand& operand : result.operands) array.call<void>("push", imprinted_operand_out(operand));
     object.set("operands", array);

@@ -13,6 +13,7 @@
 #include "mortise/mesh/shape_by_name.h"
 #include "mortise/mesh/transform.h"
 #include "report.h"
+#include "steps.h"
 
 namespace mortise::wasm {
 namespace {
@@ -27,33 +28,8 @@ val make(const std::string& name, const val& numbers) {
   });
 }
 
-Axis axis_of(const Vec3d& unit) { return unit.x != 0 ? Axis::X : unit.y != 0 ? Axis::Y : Axis::Z; }
-
-/// @param v  factors, degrees in x, an offset, or the unit vector of an axis
-AffineMap map_of_step(const std::string& name, const Vec3d& v) {
-  if (name == "scale") return scaling(v);
-  if (name == "rotateX") return rotation(Axis::X, v.x);
-  if (name == "rotateY") return rotation(Axis::Y, v.x);
-  if (name == "rotateZ") return rotation(Axis::Z, v.x);
-  if (name == "translate") return translation(v);
-  if (name == "mirror") return mirroring(axis_of(v));
-  throw Error(ErrorCode::InvalidArgument, "transform", "no step has the name " + name);
-}
-
-/// @param steps  arrays [name, x, y, z]
-AffineMap map_of(const val& steps) {
-  AffineMap map;
-  const std::size_t count = steps["length"].as<std::size_t>();
-  for (std::size_t i = 0; i < count; ++i) {
-    const val step = steps[i];
-    const Vec3d v{step[1].as<double>(), step[2].as<double>(), step[3].as<double>()};
-    map = compose(map, map_of_step(step[0].as<std::string>(), v));
-  }
-  return map;
-}
-
 val transform_mesh(const val& mesh, const val& steps) {
-  return answer([&] { return mesh_out(transform(mesh_in(mesh), map_of(steps))); });
+  return answer([&] { return mesh_out(transform(mesh_in(mesh), map_of_steps(steps))); });
 }
 
 val round_mesh(const val& mesh) {

@@ -8,6 +8,7 @@
 #include <exception>
 #include <new>
 #include <stdexcept>
+#include <utility>
 
 #include "mortise/base/error.h"
 
@@ -32,6 +33,16 @@ template <class Work>
     object.set("error", error_out(Error(ErrorCode::InternalError, "", error.what())));
   }
   return object;
+}
+
+/// work(); its errors name the operand.
+template <class Work>
+[[nodiscard]] auto in_operand(std::size_t index, Work work) {
+  try {
+    return work();
+  } catch (Error& error) {
+    throw std::move(error).in_operand(index);
+  }
 }
 
 }  // namespace mortise::wasm

@@ -89,13 +89,13 @@ val contact_out(const ContactMeasure& contact) {
   return object;
 }
 
-val operands_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces, const BooleanReport& report) {
+val operands_out(std::span<const SurfaceMesh* const> operands, std::span<const std::size_t> half_spaces, const BooleanReport& report) {
   val array = val::array();
   auto sheet = report.sheets.begin();
   for (std::uint32_t k = 0; k < operands.size(); ++k) {
     val object = val::object();
-    object.set("vertices", count_out(operands[k].points.size()));
-    object.set("triangles", count_out(operands[k].triangles.size()));
+    object.set("vertices", count_out(operands[k]->points.size()));
+    object.set("triangles", count_out(operands[k]->triangles.size()));
     object.set("selfContacts", std::binary_search(report.self_contacts.begin(), report.self_contacts.end(), k));
     const bool is_sheet = sheet != report.sheets.end() && sheet->operand == k;
     const bool is_half_space = std::find(half_spaces.begin(), half_spaces.end(), k) != half_spaces.end();
@@ -191,7 +191,7 @@ val inspection_out(const SurfaceMesh& mesh) {
   return report_out(report, Search::SelfIntersections, account);
 }
 
-val boolean_report_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces, const BooleanResult& result,
+val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<const std::size_t> half_spaces, const BooleanResult& result,
                        const ResultRegions& regions, Search search) {
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;

@@ -21,7 +21,7 @@ enum class Search { SelfIntersections, Nothing };
 
 /// The report on a boolean. `milliseconds` is left to the caller.
 /// @param half_spaces  positions of operands
-[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh> operands, std::span<const std::size_t> half_spaces,
+[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<const std::size_t> half_spaces,
                                                  const BooleanResult& result, const ResultRegions& regions, Search search);
 
 }  // namespace mortise::wasm

@@ -295,5 +295,5 @@ export function checkOperands(operands, name) {
 /** @param {any} value */
 function isOptions(value) {
   if (value === undefined) return true;
-  return typeof value === 'object' && value !== null && ['positions', 'mesh', 'triangles', 'then', 'isBufferGeometry', 'plane'].every((name) => !(name in value));
+  return typeof value === 'object' && value !== null && ['positions', 'mesh', 'triangles', 'then', 'isBufferGeometry', 'plane', 'prepared'].every((name) => !(name in value));
 }

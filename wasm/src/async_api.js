@@ -59,6 +59,8 @@ export function createAsyncApi(compileFrom, host) {
     implant: later('implant'),
     /** @type {typeof import('./index.js').resolve} */
     resolve: later('resolve'),
+    /** @type {typeof import('./index.js').prepare} */
+    prepare: later('prepare'),
     /** @type {typeof import('./index.js').inspect} */
     inspect: later('inspect'),
     /** @type {typeof import('./index.js').transform} */

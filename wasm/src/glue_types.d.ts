@@ -29,8 +29,11 @@ export interface CheckedChannel {
   values: Float64Array | Float32Array;
 }
 
-/** A mesh, or all behind a plane. */
-export type CheckedOperand = CheckedMesh | { plane: Float64Array; positions?: undefined };
+/** Name and numbers of a step of `transform`. */
+export type FlatStep = [string, ...number[]];
+
+/** A mesh, all behind a plane, or a prepared operand by its number, moved. */
+export type CheckedOperand = CheckedMesh | { plane: Float64Array; positions?: undefined } | { prepared: number; steps: FlatStep[]; positions?: undefined };
 
 /** What every call that arranges operands is told. */
 export interface BooleanSettings {
@@ -48,9 +51,12 @@ export interface Core {
   implant(contact: string, operands: CheckedOperand[], settings: BooleanSettings): Answer<BooleanResult>;
   imprint(operands: CheckedOperand[], settings: BooleanSettings): Answer<ImprintResult>;
   resolve(mesh: CheckedOperand, settings: BooleanSettings): Answer<BooleanResult>;
+  /** Answers with a number for CheckedOperand. */
+  prepare(mesh: CheckedMesh): Answer<number>;
+  forgetPrepared(prepared: number): void;
   roundToFloat32(mesh: CheckedMesh): Answer<Mesh>;
   inspectMesh(mesh: CheckedMesh): Answer<Report>;
-  transformMesh(mesh: CheckedMesh, steps: [string, number, number, number][]): Answer<Mesh>;
+  transformMesh(mesh: CheckedMesh, steps: FlatStep[]): Answer<Mesh>;
   splitMesh(mesh: CheckedMesh, by: string): Answer<MeshPart[]>;
   splitPinches(mesh: CheckedMesh): Answer<PinchFreeMesh>;
   repairMesh(mesh: CheckedMesh, steps: string[]): Answer<RepairedMesh>;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 // The declarations of the package: exact booleans of triangle meshes.
 
+/// <reference lib="esnext.disposable" />
+
 /** A quantity with values at the vertices of a mesh, or at the corners of its triangles; linear on each triangle. */
 export interface DataChannel {
   /** Numbers per vertex or per corner. */
@@ -65,8 +67,30 @@ export interface HalfSpace {
   plane: readonly [number, number, number, number];
 }
 
+/**
+ * A mesh that stays in the core for many calls. Its arrays cross once, and what does not depend on its place is computed once; results are
+ * bit for bit those of calls with the mesh itself. `dispose` it, or declare it with `using`; one that was forgotten goes when it is collected.
+ */
+export interface PreparedOperand {
+  readonly vertices: number;
+  readonly triangles: number;
+  /** The operand moved by all steps in order, as `transform` does it; for one call or many. */
+  at(steps: readonly TransformStep[]): PlacedOperand;
+  /** Frees its memory in the core; calls that still name it fail with INVALID_ARGUMENT. A second time nothing happens. */
+  dispose(): void;
+  [Symbol.dispose](): void;
+}
+
+/** What PreparedOperand.at gives. */
+export interface PlacedOperand {
+  readonly prepared: PreparedOperand;
+}
+
+/** A mesh, or a prepared one. */
+export type MeshOperand = MeshInput | PreparedOperand | PlacedOperand;
+
 /** What the operations on several meshes take. */
-export type Operand = MeshInput | HalfSpace;
+export type Operand = MeshOperand | HalfSpace;
 
 export interface Box {
   min: [number, number, number];
@@ -263,6 +287,8 @@ export type TransformStep = One<{
   rotateY: number;
   rotateZ: number;
   translate: readonly [number, number, number];
+  /** Column after column, as three.js has it; the last row is 0 0 0 1. */
+  matrix: readonly number[] | Float64Array | Float32Array;
   mirror: 'x' | 'y' | 'z';
 }>;
 
@@ -452,13 +478,14 @@ export interface Mortise {
   partition(...operandsAndOptions: [Operand, ...Operand[], BooleanOptions]): BooleanResult;
   combine(expression: string, operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
   keep(tags: readonly FaceTag[], operands: readonly Operand[], options?: BooleanOptions): BooleanResult;
-  imprint(operands: readonly MeshInput[], options?: BooleanOptions): ImprintResult;
-  imprint(first: MeshInput, ...rest: MeshInput[]): ImprintResult;
-  imprint(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): ImprintResult;
-  implant(operands: readonly MeshInput[], options?: ImplantOptions): BooleanResult;
-  implant(host: MeshInput, component: MeshInput, ...rest: MeshInput[]): BooleanResult;
-  implant(...operandsAndOptions: [MeshInput, MeshInput, ...MeshInput[], ImplantOptions]): BooleanResult;
-  resolve(mesh: MeshInput, options?: BooleanOptions): BooleanResult;
+  imprint(operands: readonly MeshOperand[], options?: BooleanOptions): ImprintResult;
+  imprint(first: MeshOperand, ...rest: MeshOperand[]): ImprintResult;
+  imprint(...operandsAndOptions: [MeshOperand, ...MeshOperand[], BooleanOptions]): ImprintResult;
+  implant(operands: readonly MeshOperand[], options?: ImplantOptions): BooleanResult;
+  implant(host: MeshOperand, component: MeshOperand, ...rest: MeshOperand[]): BooleanResult;
+  implant(...operandsAndOptions: [MeshOperand, MeshOperand, ...MeshOperand[], ImplantOptions]): BooleanResult;
+  resolve(mesh: MeshOperand, options?: BooleanOptions): BooleanResult;
+  prepare(mesh: MeshInput): PreparedOperand;
   inspect(mesh: MeshInput): Report;
   transform(mesh: MeshInput, steps: readonly TransformStep[]): Mesh;
   roundToFloat32(mesh: MeshInput): Mesh;
@@ -524,20 +551,23 @@ export function keep(tags: readonly FaceTag[], operands: readonly Operand[], opt
  * Every operand as it is, split along its contacts with the others; nothing is removed. Vertices, edges (by their vertices) and
  * coinciding triangles of `operands` have common ids; `mesh` has each of them once.
  */
-export function imprint(operands: readonly MeshInput[], options?: BooleanOptions): Promise<ImprintResult>;
-export function imprint(first: MeshInput, ...rest: MeshInput[]): Promise<ImprintResult>;
-export function imprint(...operandsAndOptions: [MeshInput, ...MeshInput[], BooleanOptions]): Promise<ImprintResult>;
+export function imprint(operands: readonly MeshOperand[], options?: BooleanOptions): Promise<ImprintResult>;
+export function imprint(first: MeshOperand, ...rest: MeshOperand[]): Promise<ImprintResult>;
+export function imprint(...operandsAndOptions: [MeshOperand, ...MeshOperand[], BooleanOptions]): Promise<ImprintResult>;
 
 /**
  * Components set into a host: host faces inside a component go, where faces coincide there is one, both sides share every edge. A
  * component stays entire; space inside both is the component's (the last one's). With `contact: 'drop'` it is the union.
  */
-export function implant(operands: readonly MeshInput[], options?: ImplantOptions): Promise<BooleanResult>;
-export function implant(host: MeshInput, component: MeshInput, ...rest: MeshInput[]): Promise<BooleanResult>;
-export function implant(...operandsAndOptions: [MeshInput, MeshInput, ...MeshInput[], ImplantOptions]): Promise<BooleanResult>;
+export function implant(operands: readonly MeshOperand[], options?: ImplantOptions): Promise<BooleanResult>;
+export function implant(host: MeshOperand, component: MeshOperand, ...rest: MeshOperand[]): Promise<BooleanResult>;
+export function implant(...operandsAndOptions: [MeshOperand, MeshOperand, ...MeshOperand[], ImplantOptions]): Promise<BooleanResult>;
 
 /** The boundary of what a mesh that overlaps or crosses itself covers: all points where its winding is positive. */
-export function resolve(mesh: MeshInput, options?: BooleanOptions): Promise<BooleanResult>;
+export function resolve(mesh: MeshOperand, options?: BooleanOptions): Promise<BooleanResult>;
+
+/** The mesh as an operand for many calls, in many places. */
+export function prepare(mesh: MeshInput): Promise<PreparedOperand>;
 
 /** Numbers about one mesh. */
 export function inspect(mesh: MeshInput): Promise<Report>;

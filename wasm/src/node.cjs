@@ -43,6 +43,7 @@ exports.keep = forward('keep');
 exports.imprint = forward('imprint');
 exports.implant = forward('implant');
 exports.resolve = forward('resolve');
+exports.prepare = forward('prepare');
 exports.inspect = forward('inspect');
 exports.transform = forward('transform');
 exports.roundToFloat32 = forward('roundToFloat32');

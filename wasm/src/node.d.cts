@@ -16,6 +16,7 @@ export declare const keep: typeof mortise.keep;
 export declare const imprint: typeof mortise.imprint;
 export declare const implant: typeof mortise.implant;
 export declare const resolve: typeof mortise.resolve;
+export declare const prepare: typeof mortise.prepare;
 export declare const inspect: typeof mortise.inspect;
 export declare const transform: typeof mortise.transform;
 export declare const roundToFloat32: typeof mortise.roundToFloat32;

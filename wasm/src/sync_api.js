@@ -21,6 +21,7 @@ import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
 import { placesOf } from './places.js';
+import { PreparedOperand, checkPrepared } from './prepared.js';
 import { checkShape } from './shapes.js';
 import { checkSteps } from './steps.js';
 
@@ -150,7 +151,8 @@ const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify', '
  * @returns {Result}
  */
 function evaluateWith(session, call, { operands, options }) {
-  const meshes = operands.map((/** @type {unknown} */ mesh, /** @type {number} */ i) => checkOperand(mesh, `operand ${i}`));
+  const check = (/** @type {unknown} */ operand, /** @type {string} */ name) => checkPrepared(session, operand, name) ?? checkOperand(operand, name);
+  const meshes = operands.map((/** @type {unknown} */ operand, /** @type {number} */ i) => check(operand, `operand ${i}`));
   const checked = checkOptions(options, booleanOptions);
   const { report, state } = guardProgress(checkProgress(checked));
   const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked), simplify: checkSimplify(checked), certify: checkCertify(checked) };
@@ -205,6 +207,17 @@ function implant(session, args) {
   const { contact, ...others } = checkOptions(options, ['contact', ...booleanOptions]);
   const checked = checkContact(contact);
   return evaluateWith(session, (core, ...rest) => core.implant(checked, ...rest), { operands, options: others });
+}
+
+/**
+ * @param {Session} session
+ * @param {import('./index.js').MeshInput} mesh
+ * @returns {import('./index.js').PreparedOperand}
+ */
+function prepare(session, mesh) {
+  const checked = checkMesh(mesh, 'mesh');
+  const number = ask(session, (core) => core.prepare(checked), [checked]);
+  return /** @type {any} */ (new PreparedOperand({ session, number }, checked));
 }
 
 /**
@@ -271,6 +284,7 @@ export function createSyncApi(core, host, onStop) {
     imprint: (/** @type {any[]} */ ...args) => evaluateWith(session, (core, ...rest) => core.imprint(...rest), splitOperands(args, 'imprint')),
     implant: (/** @type {any[]} */ ...args) => implant(session, args),
     resolve: (mesh, options) => evaluateWith(session, (core, [only], ...rest) => core.resolve(only, ...rest), { operands: [mesh], options }),
+    prepare: (mesh) => prepare(session, mesh),
     inspect: (mesh) => inspectMesh(session, mesh),
     transform: (mesh, steps) => {
       const checked = checkMesh(mesh, 'mesh');

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, cornersToVertices, extrudeTo, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, readMesh, repair } from 'mortise';
+import { combine, cornersToVertices, extrudeTo, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, prepare, readMesh, repair } from 'mortise';
 import { resolve, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
-import type { BooleanResult, DataChannel, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, Report, TransformStep } from 'mortise';
+import type { BooleanResult, DataChannel, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, PreparedOperand, Report, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -17,6 +17,16 @@ await union(box, moved, prism);
 await union([box, soup], { signal: new AbortController().signal });
 await intersect(box, moved, { onProgress: ({ stage, fraction }) => stage.length > 0 && fraction < 1 });
 await subtract({ positions: [0, 0, 0], triangles: [] }, box, { onProgress: () => {} });
+
+{
+  using part: PreparedOperand = await prepare(box);
+  await subtract(moved, part.at([{ matrix: new Float64Array(16) }]));
+  await imprint([part, part.at(steps), prism]);
+  // @ts-expect-error: a prepared operand is no mesh
+  await inspect(part);
+}
+const kept: PreparedOperand = (await load()).prepare(soup);
+kept.dispose();
 
 const divided: BooleanResult = await partition(box, moved);
 const inFront: Uint32Array | undefined = divided.provenance.coveringFront;
