@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size. FILE_B may be
-// `turned`: the first file turned by 90 degrees about y.
+// `turned`: the first file turned by 90 degrees about y. boolean_bench dragging: only the rows of a part in many places.
 // Prints medians of eleven runs (three of the large decks) in milliseconds, and how far one call raised the memory of a process of
 // its own.
 #include <malloc.h>
@@ -10,6 +10,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cstdio>
 #include <map>
 #include <string>
@@ -96,6 +97,66 @@ void time_decks() {
   }
 }
 
+/// Collects the times of calls, and of their stages.
+class CallTimes {
+ public:
+  void add(double milliseconds, const BooleanReport& report) {
+    totals_.push_back(milliseconds);
+    for (const StageTime& s : report.stages) {
+      if (totals_.size() == 1) order_.push_back(s.stage);
+      stages_[s.stage].push_back(s.milliseconds);
+    }
+  }
+  [[nodiscard]] double total() const { return median(totals_); }
+  void print(const char* what) const {
+    std::printf("    %-9s %9.2f ms  (", what, total());
+    for (const std::string& s : order_) std::printf("%s %.2f%s", s.c_str(), median(stages_.at(s)), s == order_.back() ? ")\n" : ", ");
+  }
+
+ private:
+  std::vector<double> totals_;
+  std::map<std::string, std::vector<double>> stages_;
+  std::vector<std::string> order_;
+};
+
+/// A part dragged along a host: in every place a fresh call, its part moved by transform(), and one with both prepared.
+void time_dragging(const std::string& name, Operation operation, const SurfaceMesh& host, const SurfaceMesh& part, const Vec3d& step) {
+  const Stopwatch preparation;
+  const PreparedOperand prepared_host(host), prepared_part(part);
+  const double milliseconds = preparation.milliseconds();
+  CallTimes fresh, prepared;
+  for (int i = 0; i < 21; ++i) {
+    const AffineMap place = compose(rotation(Axis::Z, 3.0 * i), translation(static_cast<double>(i - 10) * step));
+    const Stopwatch first;
+    const SurfaceMesh image = transform(part, place);
+    const SurfaceMesh* const operands[] = {&host, &image};
+    const BooleanResult a = evaluate_boolean(operation, operands);
+    fresh.add(first.milliseconds(), a.report);
+    const Stopwatch second;
+    const BooleanResult b = evaluate_boolean(operation, std::array{Operand(prepared_host), Operand(prepared_part, place)});
+    prepared.add(second.milliseconds(), b.report);
+    if (a.mesh.triangles != b.mesh.triangles) std::printf("    NOT THE SAME\n");
+  }
+  std::printf("dragging: %-24s %-9s %8zu + %7zu triangles, prepared in %.2f ms; a place prepared / fresh: %.2f\n", name.c_str(),
+              std::string(operation_name(operation)).c_str(), host.triangles.size(), part.triangles.size(), milliseconds,
+              prepared.total() / fresh.total());
+  fresh.print("fresh");
+  prepared.print("prepared");
+}
+
+void time_all_dragging() {
+  const SurfaceMesh large = make_icosphere(1, 6), small = make_icosphere(0.25, 5);
+  const SurfaceMesh torus = make_torus(0.5, 0.125, 256, 64);
+  const SurfaceMesh ground = make_grid_sheet(4, 4, 200, 200);
+  for (const Operation operation : {Operation::Union, Operation::Subtract}) {
+    time_dragging("two icospheres", operation, large, large, {0.05, 0, 0});
+    time_dragging("ball into a large ball", operation, large, small, {0.1, 0, 0});
+    time_dragging("small ball, large tool", operation, small, large, {0.1, 0, 0});
+  }
+  time_dragging("torus through a ball", Operation::Partition, large, torus, {0.05, 0, 0});
+  time_dragging("torus through a sheet", Operation::Partition, ground, torus, {0.05, 0, 0});
+}
+
 void time_generated() {
   for (const std::uint32_t levels : {4U, 5U, 6U, 7U}) {
     const SurfaceMesh sphere = make_icosphere(1, levels);
@@ -106,13 +167,16 @@ void time_generated() {
   time_pair("plate and torus, coplanar rings", plate, transform(make_torus(4, 1, 512, 64), translation({10, 10, 1})));
   time_pair("two boxes sharing a face", make_box({0, 0, 0}, {1, 1, 1}), make_box({1, 0, 0}, {2, 1, 1}));
   time_decks();
+  time_all_dragging();
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   try {
-    if (argc == 3) {
+    if (argc == 2 && std::string(argv[1]) == "dragging") {
+      time_all_dragging();
+    } else if (argc == 3) {
       const SurfaceMesh a = read_mesh_file(argv[1]);
       const bool is_turned = std::string(argv[2]) == "turned";
       time_pair(std::string(argv[1]) + " " + argv[2], a, is_turned ? transform(a, rotation(Axis::Y, 90)) : read_mesh_file(argv[2]));
