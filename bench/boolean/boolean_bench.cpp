@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Times booleans stage by stage: boolean_bench [FILE_A FILE_B]; without files, generated shapes of growing size. FILE_B may be
-// `turned`: the first file turned by 90 degrees about y. boolean_bench dragging: only the rows of a part in many places.
+// `turned`: the first file turned by 90 degrees about y. boolean_bench dragging [FILE]: only the rows of a part in
+// many places; with a file, of it along itself.
 // Prints medians of eleven runs (three of the large decks) in milliseconds, and how far one call raised the memory of a process of
 // its own.
 #include <malloc.h>
@@ -176,6 +177,10 @@ int main(int argc, char** argv) {
   try {
     if (argc == 2 && std::string(argv[1]) == "dragging") {
       time_all_dragging();
+    } else if (argc == 3 && std::string(argv[1]) == "dragging") {
+      const SurfaceMesh a = read_mesh_file(argv[2]);
+      const Box3 box = bounding_box(a);
+      time_dragging(std::string(argv[2]) + " along itself", Operation::Union, a, a, 0.02 * (box.hi - box.lo));
     } else if (argc == 3) {
       const SurfaceMesh a = read_mesh_file(argv[1]);
       const bool is_turned = std::string(argv[2]) == "turned";
