@@ -259,6 +259,26 @@ TEST_CASE("where faces coincide the data are those of the first operand", "[data
   check_first(b, a);
 }
 
+TEST_CASE("data of vertices stay continuous on their operand, bit for bit", "[data]") {
+  RandomSource random(6);
+  std::vector<SurfaceMesh> solids{make_icosphere(1, 2), turned(make_torus(1, 0.375, 24, 12), random)};
+  for (SurfaceMesh& mesh : solids) {
+    mesh.vertex_data.push_back({"heat", 1, DataKind::Value, {}});
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) mesh.vertex_data[0].values.push_back(random.between(0, 1));
+  }
+  for (const Operation operation : all_operations) {
+    INFO(operation_name(operation));
+    const BooleanResult result = evaluate(operation, solids);
+    REQUIRE(result.report.certificate.repair_displacement == 0);
+    std::vector<std::array<double, 2>> first(result.mesh.points.size(), {-1, -1});  // per vertex and operand
+    for (std::size_t c = 0; c < 3 * result.mesh.triangles.size(); ++c) {
+      double& known = first[result.mesh.triangles[c / 3][c % 3].index()][result.provenance.source_operand[c / 3]];
+      if (known == -1) known = result.mesh.corner_data[0].values[c];
+      CHECK(known == result.mesh.corner_data[0].values[c]);
+    }
+  }
+}
+
 TEST_CASE("seams of a soup stay seams", "[data]") {
   SurfaceMesh soup = soup_of(box({0, 0, 0}, {2, 2, 2}));
   DataChannel side{"side", 1, DataKind::Value, {}};
@@ -347,6 +367,36 @@ TEST_CASE("a linear chart stays linear across the cut of real meshes", "[data][s
   CHECK(scenes == names.size());
   std::printf("linear chart on real meshes: %zu made vertices, largest deviation %.2g of the size\n", made, worst);
   CHECK(worst < 1e-12);
+}
+
+TEST_CASE("texture coordinates of a real mesh stay where nothing is cut and within those of the face elsewhere", "[data][scenario]") {
+  if (is_data_missing()) return;
+  const std::vector<SurfaceMesh> operands{read_data("scans/spot.obj"), read_data("scans/blub.obj", "s=0.7 rx=30 t=0.2,0.1,0.3")};
+  for (const Operation operation : all_operations) {
+    INFO(operation_name(operation));
+    const BooleanResult result = evaluate(operation, operands);
+    const DataChannel& uv = channel(result.mesh, "uv");
+    std::size_t copied = 0, inside = 0;
+    for (std::size_t c = 0; c < 3 * result.mesh.triangles.size(); ++c) {
+      const SurfaceMesh& operand = operands[result.provenance.source_operand[c / 3]];
+      const std::size_t face = result.provenance.source_face[c / 3];
+      const Vec3d& p = result.mesh.points[result.mesh.triangles[c / 3][c % 3].index()];
+      std::array<std::array<double, 3>, 2> at_corners;
+      std::size_t corner = 3;
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (operand.points[operand.triangles[face][i].index()] == p) corner = i;
+        for (std::size_t k = 0; k < 2; ++k) at_corners[k][i] = channel(operand, "uv").values[2 * (3 * face + i) + k];
+      }
+      for (std::size_t k = 0; k < 2; ++k) {
+        const double found = uv.values[2 * c + k];
+        const auto [least, most] = std::minmax_element(at_corners[k].begin(), at_corners[k].end());
+        CHECK((corner < 3 ? found == at_corners[k][corner] : *least <= found && found <= *most));
+      }
+      (corner < 3 ? copied : inside) += 1;
+    }
+    CHECK(copied > 100);
+    CHECK(inside > 100);
+  }
 }
 
 TEST_CASE("groups of a result are runs of its labels", "[data]") {

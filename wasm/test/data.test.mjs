@@ -3,13 +3,14 @@
 // Vertex and corner data, and groups, through the package.
 
 import assert from 'node:assert/strict';
+import { join } from 'node:path';
 import test from 'node:test';
 
 import * as mortise from 'mortise';
 
-import { cube, meshError, soupOf } from './support.mjs';
+import { cube, meshError, run, soupOf, temporaryFolder } from './support.mjs';
 
-const { union, subtract, imprint, split, transform, cornersToVertices, groupByLabel, make, MeshError } = mortise;
+const { readMesh, writeMesh, union, subtract, imprint, split, transform, cornersToVertices, groupByLabel, make, MeshError } = mortise;
 
 /** The mesh with two linear functions of the position as `uv`. */
 function charted(mesh) {
@@ -134,6 +135,19 @@ test('groupByLabel gives runs of triangles as three.js draws them', async () => 
   }
   assert.equal(next, triangles.length);
   assert.deepEqual((await groupByLabel(cube())).groups, [{ start: 0, count: 36, materialIndex: 0 }]);
+});
+
+test('OBJ files keep uv and normals, on the command line too', async (t) => {
+  const folder = temporaryFolder(t);
+  const { cornerData, ...box } = faceted(cube());
+  await writeMesh(join(folder, 'a.obj'), { ...charted(box), cornerData });
+  await writeMesh(join(folder, 'b.stl'), cube(0.5, 0.5, 0.5));
+  assert.equal(run(['subtract', 'a.obj', 'b.stl', '-o', 'c.obj'], { cwd: folder }).code, 0);
+  const cut = await readMesh(join(folder, 'c.obj'));
+  const { mesh } = await subtract(await readMesh(join(folder, 'a.obj')), await readMesh(join(folder, 'b.stl')));
+  assert.deepEqual(Object.keys(cut.cornerData), ['uv', 'normal']);
+  assert.deepEqual(cut.cornerData, mesh.cornerData);
+  assert.ok(cut.cornerData.uv.values.some(Number.isNaN));
 });
 
 test('transform moves vectors and normals along', async () => {

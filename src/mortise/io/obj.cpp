@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "mortise/base/numbers.h"
+#include "mortise/io/obj_data.h"
 #include "mortise/io/obj_faces.h"
 #include "mortise/io/polygon_soup.h"
 #include "mortise/io/text.h"
@@ -20,11 +21,13 @@ constexpr std::string_view stage_name = "read_obj";
 struct FacePlace {
   std::uint32_t line;
   std::uint32_t points_before;
+  std::size_t textures_before, normals_before;
 };
 
 /// What the first pass leaves for the second.
 struct Statements {
   std::vector<Vec3d> points;
+  ObjValues textures{2, {}}, normals{3, {}};
   std::vector<FacePlace> face_places;
   std::string face_text;  ///< only f, g, o and usemtl, each on one line, every f sound
 };
@@ -61,6 +64,16 @@ void read_vertex(LineReader& lines, std::string_view rest, Statements& statement
   statements.points.push_back(point);
 }
 
+/// A `vt` or `vn`. Missing texture coordinates are 0.
+void read_values(LineReader& lines, std::string_view rest, ObjValues& values) {
+  StatementText text(lines, rest);
+  for (std::size_t k = 0; k < values.components; ++k) {
+    const std::string_view word = text.next_word();
+    const bool is_zero = word.empty() && k > 0 && values.components == 2;
+    values.numbers.push_back(is_zero ? 0 : value_of_word(word));
+  }
+}
+
 /// Checks one of the up to three indices of a corner: only the first must be there.
 void check_index(std::string_view digits, bool is_vertex, const TextPlace& place) {
   if (digits.empty() && !is_vertex) return;
@@ -93,7 +106,8 @@ void read_face(LineReader& lines, std::string_view rest, Statements& statements)
   }
   if (corner_count < 3) fail_at_line(ErrorCode::ParseFailed, place, "a face needs at least three corners");
   statements.face_text += '\n';
-  statements.face_places.push_back({place.line, static_cast<std::uint32_t>(statements.points.size())});
+  statements.face_places.push_back(
+      {place.line, static_cast<std::uint32_t>(statements.points.size()), statements.textures.size(), statements.normals.size()});
 }
 
 /// The first pass over the text.
@@ -112,7 +126,9 @@ Statements read_statements(std::string_view text) {
       read_face(lines, rest, statements);
     } else if (keyword == "g" || keyword == "o" || keyword == "usemtl") {
       statements.face_text.append(keyword).append(" ").append(one_line_name(rest)).append("\n");
-    } else if (keyword != "vt" && keyword != "vn" && keyword != "s" && keyword != "mtllib") {
+    } else if (keyword == "vt" || keyword == "vn") {
+      read_values(lines, rest, keyword == "vt" ? statements.textures : statements.normals);
+    } else if (keyword != "s" && keyword != "mtllib") {
       if (unknown_line == 0) unknown_line = lines.place().line;
       continue;
     }
@@ -143,11 +159,18 @@ SurfaceMesh read_obj(std::string_view text) {
   PolygonSoup soup;
   soup.points = std::move(statements.points);
   soup.corners.reserve(faces.corners.size());
+  DataChannel uv{"uv", 2, DataKind::Value, {}}, normal{"normal", 3, DataKind::Normal, {}};
   std::size_t corner = 0;
   for (std::size_t face = 0; face < faces.face_ends.size(); ++face) {
+    const FacePlace& place = statements.face_places[face];
     for (; corner < faces.face_ends[face]; ++corner) {
-      soup.corners.push_back(resolve_index(faces.corners[corner], statements.face_places[face], soup.points.size()));
+      soup.corners.push_back(resolve_index(faces.corners[corner], place, soup.points.size()));
+      append_indexed(faces.textures[corner], place.textures_before, statements.textures, uv.values);
+      append_indexed(faces.normals[corner], place.normals_before, statements.normals, normal.values);
     }
+  }
+  for (DataChannel* channel : {&uv, &normal}) {
+    if (has_values(*channel)) soup.corner_data.push_back(std::move(*channel));
   }
   soup.face_ends = std::move(faces.face_ends);
   soup.face_labels = std::move(faces.face_labels);
@@ -162,6 +185,8 @@ std::string write_obj(const SurfaceMesh& mesh) {
     append_point(text, point);
     text += '\n';
   }
+  const std::vector<std::uint32_t> textures = write_values("vt", uv_of(mesh), text);
+  const std::vector<std::uint32_t> normals = write_values("vn", normals_of(mesh), text);
   const Polygons polygons = find_polygons(mesh);
   const auto label_of = [&](std::size_t i) { return mesh.face_labels[polygons.first_triangle[i].index()]; };
   for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -169,7 +194,10 @@ std::string write_obj(const SurfaceMesh& mesh) {
       text.append("g ").append(one_line_name(mesh.label_names[label_of(i)])).append("\n");
     }
     text += 'f';
-    for (const VertexId vertex : polygons.corners_of(i)) text.append(" ").append(std::to_string(std::uint64_t{vertex.value} + 1));
+    for (const HalfEdge side : polygons.sides_of(i)) {
+      text.append(" ").append(std::to_string(std::uint64_t{origin_of(mesh, side).value} + 1));
+      append_indices(textures.empty() ? 0 : textures[side], normals.empty() ? 0 : normals[side], text);
+    }
     text += '\n';
   }
   return text;

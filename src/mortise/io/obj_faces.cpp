@@ -43,7 +43,11 @@ void on_face(void* user_data, tinyobj::index_t* indices, int count) {
     state.label = state.labels.label_of(!state.group.empty() ? state.group : !state.object.empty() ? state.object : state.material);
     state.label_is_current = true;
   }
-  for (int i = 0; i < count; ++i) state.faces.corners.push_back(indices[i].vertex_index);
+  for (int i = 0; i < count; ++i) {
+    state.faces.corners.push_back(indices[i].vertex_index);
+    state.faces.textures.push_back(indices[i].texcoord_index);
+    state.faces.normals.push_back(indices[i].normal_index);
+  }
   state.faces.face_ends.push_back(static_cast<std::uint32_t>(state.faces.corners.size()));
   state.faces.face_labels.push_back(state.label);
 }

@@ -13,6 +13,7 @@ namespace mortise {
 /// Faces in the order of the text, with the vertex indices as they are written: from 1, or negative and relative.
 struct ObjFaces {
   std::vector<int> corners;                ///< face after face
+  std::vector<int> textures, normals;      ///< per corner the same of `vt` and `vn`, 0 where there is none
   std::vector<std::uint32_t> face_ends;    ///< per face: end of its corners
   std::vector<std::uint32_t> face_labels;  ///< one per face when any face has a name, else empty
   std::vector<std::string> label_names;

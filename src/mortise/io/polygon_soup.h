@@ -20,7 +20,9 @@ struct PolygonSoup {
   std::vector<std::uint32_t> face_ends;    ///< per face: end of its corners
   std::vector<std::uint32_t> face_labels;  ///< empty, or one per face
   std::vector<std::string> label_names;
-  std::vector<std::uint8_t> walls;  ///< empty, or one per face: SurfaceMesh::walls
+  std::vector<std::uint8_t> walls;       ///< empty, or one per face: SurfaceMesh::walls
+  std::vector<DataChannel> point_data;   ///< values per point
+  std::vector<DataChannel> corner_data;  ///< values per corner
 
   void end_face() { face_ends.push_back(static_cast<std::uint32_t>(corners.size())); }
 };
@@ -42,7 +44,7 @@ class LabelTable {
 /// The mesh of a soup: equal positions welded in order of first appearance, polygons triangulated in place.
 /// A corner equal to the one before it is dropped, from polygons of more than three corners only: no face vanishes, a polygon that
 /// is left with fewer than three corners becomes one degenerate triangle, and a degenerate triangle stays as it is. Polygons leave
-/// their diagonals in the mesh (find_polygons).
+/// their diagonals in the mesh (find_polygons). All data become corner data.
 /// Every face has at least three corners and every corner names a point. O(n log n).
 [[nodiscard]] SurfaceMesh build_mesh(PolygonSoup soup);
 

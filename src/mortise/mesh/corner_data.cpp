@@ -16,16 +16,6 @@ auto begin_of(FaceId f, DataChannel& channel) {
   return channel.values.begin() + static_cast<std::ptrdiff_t>(f.index() * values_per_face(channel));
 }
 
-/// The values of vertex data at the corners of all triangles.
-DataChannel as_corner_data(const DataChannel& channel, const std::vector<Triangle>& triangles) {
-  DataChannel result{channel.name, channel.components, channel.kind, {}};
-  result.values.reserve(triangles.size() * values_per_face(channel));
-  for (const Triangle& t : triangles) {
-    for (const VertexId v : t) append_values(channel, v.index(), result.values);
-  }
-  return result;
-}
-
 }  // namespace
 
 std::vector<DataChannel> without_values(const std::vector<DataChannel>& channels) {
@@ -44,6 +34,15 @@ std::vector<DataChannel> select_vertex_data(const std::vector<DataChannel>& chan
   for (std::size_t c = 0; c < channels.size(); ++c) {
     result[c].values.reserve(vertices.size() * channels[c].components);
     for (const VertexId v : vertices) append_values(channels[c], v.index(), result[c].values);
+  }
+  return result;
+}
+
+DataChannel as_corner_data(const DataChannel& channel, const std::vector<Triangle>& triangles) {
+  DataChannel result{channel.name, channel.components, channel.kind, {}};
+  result.values.reserve(triangles.size() * values_per_face(channel));
+  for (const Triangle& t : triangles) {
+    for (const VertexId v : t) append_values(channel, v.index(), result.values);
   }
   return result;
 }

@@ -29,6 +29,9 @@ void append_values(const DataChannel& channel, std::size_t place, std::vector<do
 /// The values of these vertices, in their order.
 [[nodiscard]] std::vector<DataChannel> select_vertex_data(const std::vector<DataChannel>& channels, const std::vector<VertexId>& vertices);
 
+/// The values of a channel of vertex data at the corners of all triangles.
+[[nodiscard]] DataChannel as_corner_data(const DataChannel& channel, const std::vector<Triangle>& triangles);
+
 /// All data of a mesh as corner data, that of the vertices first: no two corners depend on one another any more.
 [[nodiscard]] std::vector<DataChannel> all_as_corner_data(const SurfaceMesh& mesh);
 
