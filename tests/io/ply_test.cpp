@@ -4,8 +4,12 @@
 #include "mortise/io/ply.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "io/io_support.h"
+#include "mortise/io/obj.h"
+#include "mortise/mesh/corner_data.h"
 
 using namespace mortise;
 using namespace mortise::test;
@@ -200,4 +204,68 @@ TEST_CASE("PLY keeps walls, in text and binary") {
       "property int wall\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n"
       "7 4 0 1 2 3\n0 3 0 1 2\n";
   CHECK(read_ply(polygon).walls == std::vector<std::uint8_t>{1, 1, 0});
+}
+
+TEST_CASE("PLY numbers of vertices are data: normals, texture coordinates, colours and others by name", "[data]") {
+  const SurfaceMesh mesh = read_ply(
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty uchar green\nproperty float y\nproperty float z\n"
+      "property uchar blue\nproperty uchar red\nproperty float nx\nproperty float ny\nproperty float nz\nproperty float v\nproperty float "
+      "u\n"
+      "property double heat\nproperty list uchar int ring\nproperty float texture_u\nelement face 1\nproperty list uchar int "
+      "vertex_indices\n"
+      "end_header\n"
+      "0 51 0 0 255 0 0 0 1 0.25 0.5 20 2 7 8 -1\n1 0 0 0 0 0 0 0 1 0 1 nan 0 -2\n0 0 1 0 0 102 0 1 0 0 0 1e999 1 5 -3\n3 0 1 2\n");
+  std::vector<std::string> names;
+  for (const DataChannel& c : mesh.corner_data) names.push_back(c.name);
+  REQUIRE(names == std::vector<std::string>{"normal", "uv", "color", "heat", "texture_u"});
+  CHECK(mesh.corner_data[0].kind == DataKind::Normal);
+  CHECK(mesh.corner_data[0].values == std::vector<double>{0, 0, 1, 0, 0, 1, 0, 1, 0});
+  CHECK(mesh.corner_data[1].values == std::vector<double>{0.5, 0.25, 1, 0, 0, 0});
+  CHECK(mesh.corner_data[2].values == std::vector<double>{0, 0.2, 1, 0, 0, 0, 0.4, 0, 0});
+  CHECK(mesh.corner_data[3].values[0] == 20);
+  CHECK((std::isnan(mesh.corner_data[3].values[1]) && std::isnan(mesh.corner_data[3].values[2])));
+  CHECK(mesh.corner_data[4].values == std::vector<double>{-1, -2, -3});
+}
+
+TEST_CASE("A PLY round trip keeps data, seams and missing values; colours to a byte", "[data]") {
+  SurfaceMesh mesh =
+      read_obj("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0.1 0.2\nvt 0.3 0.4\nvt 0.5 0.6\nvt 7 8\nf 1/1 2/2 3/3 4/4\nf 3/2 2/2 4\n");
+  mesh.vertex_data.push_back({"heat", 1, DataKind::Value, {0.1, 0.2, std::numeric_limits<double>::quiet_NaN(), 0.7}});
+  mesh.vertex_data.push_back({"color", 3, DataKind::Value, {1, 0, 0.5, 0.2, 0.4, 0.6, 0, 0, 0, 2, -1, 1}});
+  mesh.vertex_data.push_back({"normal", 3, DataKind::Normal, std::vector<double>(12, 0.7)});
+  mesh.vertex_data.push_back({"speed", 2, DataKind::Value, {1, 2, 3, 4, 5, 6, 7, 8}});
+  mesh.vertex_data.push_back({"no word", 1, DataKind::Value, {1, 2, 3, 4}});
+  for (const std::string& file : {write_ply_ascii(mesh), write_ply_binary(mesh)}) {
+    const SurfaceMesh back = read_ply(file);
+    CHECK(back.points == mesh.points);
+    CHECK(back.triangles == mesh.triangles);
+    const auto bits_of = [](const DataChannel& c) {
+      std::vector<std::uint64_t> bits;
+      for (const double x : c.values) bits.push_back(cast_bits<std::uint64_t>(x));
+      return bits;
+    };
+    const auto find = [&](const SurfaceMesh& m, const std::string& name) {
+      for (DataChannel& c : all_as_corner_data(m)) {
+        if (c.name == name) return c;
+      }
+      return DataChannel{};
+    };
+    for (const char* name : {"uv", "heat", "normal"}) {
+      CAPTURE(name);
+      CHECK(bits_of(find(back, name)) == bits_of(find(mesh, name)));
+    }
+    const std::vector<double> speeds = find(mesh, "speed").values;
+    for (std::size_t i = 0; i < 9; ++i) CHECK(find(back, "speed_1").values[i] == speeds[2 * i + 1]);
+    CHECK(find(back, "no word").values.empty());
+    const std::vector<double> color = find(back, "color").values;
+    REQUIRE(color.size() == 27);
+    for (std::size_t i = 0; i < 27; ++i) CHECK(std::abs(color[i] - std::clamp(find(mesh, "color").values[i], 0.0, 1.0)) <= 0.5 / 255);
+  }
+}
+
+TEST_CASE("A PLY row without its data is cut off, not read", "[data]") {
+  const std::string header =
+      "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nproperty float heat\nend_header\n";
+  check_line(ErrorCode::ParseFailed, 9, header + "0 0 0\n");
+  CHECK(read_ply(header + "0 0 0 cold\n").points.size() == 1);
 }

@@ -63,11 +63,6 @@ std::vector<std::uint32_t> lowest_equals(const ValueOrder& order, std::size_t co
 
 }  // namespace
 
-double value_of_word(std::string_view word) {
-  const ParsedNumber<double> number = parse_double(word);
-  return number.error == NumberError::None ? number.value : no_value;
-}
-
 void append_indexed(int index, std::size_t before, const ObjValues& values, std::vector<double>& numbers) {
   const std::int64_t place = index > 0 ? std::int64_t{index} - 1 : static_cast<std::int64_t>(before) + index;
   const bool exists = index != 0 && place >= 0 && place < static_cast<std::int64_t>(values.size());

@@ -21,9 +21,6 @@ struct ObjValues {
   [[nodiscard]] std::size_t size() const { return numbers.size() / components; }
 };
 
-/// The number a word says, NaN where it is no finite number.
-[[nodiscard]] double value_of_word(std::string_view word);
-
 /// Appends the values an index names, as it is written: from 1, or negative and relative to those before; NaN where it names none.
 void append_indexed(int index, std::size_t before, const ObjValues& values, std::vector<double>& numbers);
 

@@ -3,13 +3,18 @@
 // Polygon File Format, text and binary.
 #include "mortise/io/ply.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "mortise/base/numbers.h"
 #include "mortise/io/bytes.h"
+#include "mortise/io/ply_data.h"
 #include "mortise/io/ply_header.h"
 #include "mortise/io/polygon_soup.h"
 #include "mortise/io/text.h"
+#include "mortise/mesh/corner_data.h"
+#include "mortise/mesh/corners_to_vertices.h"
 #include "mortise/mesh/polygons.h"
 
 namespace mortise {
@@ -18,7 +23,7 @@ namespace {
 constexpr std::string_view stage_name = "read_ply";
 
 /// What a column means to a mesh.
-enum class Role : unsigned char { None, X, Y, Z, Corners, Wall };
+enum class Role : unsigned char { None, X, Y, Z, Corners, Wall, Data };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
   const std::string& name = property.name;
@@ -33,6 +38,7 @@ Role role_of(const PlyElement& element, const PlyProperty& property) {
 struct Table {
   const PlyElement* element;
   std::vector<Role> roles;
+  PlyVertexData data{};  ///< of the vertices
 
   [[nodiscard]] bool has(Role role) const {
     for (const Role present : roles) {
@@ -55,6 +61,12 @@ Table make_table(const PlyElement& element, const TextPlace& header_end) {
   if (element.name == "vertex" && !has_point) fail_at_line(ErrorCode::ParseFailed, header_end, "the vertices have no x, y and z");
   if (element.name == "face" && element.count > 0 && !table.has(Role::Corners)) {
     fail_at_line(ErrorCode::ParseFailed, header_end, "the faces have no list vertex_indices");
+  }
+  if (has_point) {
+    table.data = read_vertex_columns(element);
+    for (std::size_t i = 0; i < table.roles.size(); ++i) {
+      if (table.data.targets[i].channel != PlyTarget::none) table.roles[i] = Role::Data;
+    }
   }
   if (element.name == "tristrips") fail_at_line(ErrorCode::ParseFailed, header_end, "triangle strips are not read");
   return table;
@@ -83,6 +95,15 @@ std::string bad_index_message(std::int64_t index, std::uint32_t vertices) {
   return "the face names vertex " + std::to_string(index) + " of " + std::to_string(vertices) + " (the first is 0)";
 }
 
+/// Appends a value to its channel, in the order of the components: columns that come in another order wait for one another.
+void set_value(const PlyTarget& target, double value, PolygonSoup& soup) {
+  DataChannel& channel = soup.point_data[target.channel];
+  const std::size_t place = soup.points.size() * channel.components + target.component;
+  channel.values.resize(std::max(channel.values.size(), (soup.points.size() + 1) * channel.components), no_value);
+  const bool is_finite = std::fabs(value) <= std::numeric_limits<double>::max();
+  channel.values[place] = is_finite ? value / target.whole : no_value;
+}
+
 constexpr std::string_view too_few_corners = "a face needs at least three corners";
 
 // ---- Text rows ------------------------------------------------------------------------------------------------------
@@ -96,7 +117,13 @@ class TextRows {
     if (!next_row()) fail_at_line(ErrorCode::ParseFailed, place(), "the file ends before its last element");
     rest_ = lines_.line();
     Vec3d point;
-    for (std::size_t i = 0; i < table.roles.size(); ++i) read_property(table.element->properties[i], table.roles[i], point, soup);
+    for (std::size_t i = 0; i < table.roles.size(); ++i) {
+      if (table.roles[i] == Role::Data) {
+        set_value(table.data.targets[i], read_value(), soup);
+      } else {
+        read_property(table.element->properties[i], table.roles[i], point, soup);
+      }
+    }
     if (!trim(rest_).empty()) fail_at_line(ErrorCode::ParseFailed, place(), "the line holds more than the header promises");
     if (table.has(Role::X)) soup.points.push_back(point);
   }
@@ -110,6 +137,12 @@ class TextRows {
   }
 
   [[nodiscard]] TextPlace place() const { return {stage_name, header_lines_ + lines_.place().line}; }
+
+  double read_value() {
+    const std::string_view word = take_word(rest_);
+    if (word.empty()) fail_at_line(ErrorCode::ParseFailed, place(), "the line holds less than the header promises");
+    return value_of_word(word);
+  }
 
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(soup);
@@ -153,7 +186,14 @@ class BinaryRows {
 
   void read_row(const Table& table, PolygonSoup& soup) {
     Vec3d point;
-    for (std::size_t i = 0; i < table.roles.size(); ++i) read_property(table.element->properties[i], table.roles[i], point, soup);
+    for (std::size_t i = 0; i < table.roles.size(); ++i) {
+      const PlyProperty& property = table.element->properties[i];
+      if (table.roles[i] == Role::Data) {
+        set_value(table.data.targets[i], take_value(property.type), soup);
+      } else {
+        read_property(property, table.roles[i], point, soup);
+      }
+    }
     if (table.has(Role::X)) soup.points.push_back(point);
   }
 
@@ -239,6 +279,7 @@ template <class Rows>
 PolygonSoup read_rows(Rows rows, const std::vector<Table>& tables, std::size_t byte_count) {
   PolygonSoup soup;
   for (const Table& table : tables) {
+    if (table.has(Role::X)) soup.point_data = table.data.channels;
     if (table.has(Role::X)) soup.points.reserve(believable_count(table.element->count, byte_count, 3));
     if (table.has(Role::Corners)) soup.face_ends.reserve(believable_count(table.element->count, byte_count, 4));
     if (table.roles.empty()) continue;
@@ -257,15 +298,32 @@ std::size_t most_corners(const Polygons& polygons) {
   return most;
 }
 
-std::string header_text(const SurfaceMesh& mesh, const Polygons& polygons, std::string_view encoding) {
+/// What a file holds; all data at the vertices.
+struct Content {
+  const SurfaceMesh& mesh;
+  Polygons polygons;
+  std::vector<PlyColumn> columns;
+
+  explicit Content(const SurfaceMesh& m) : mesh(m), polygons(find_polygons(m)), columns(write_vertex_columns(m.vertex_data)) {}
+};
+
+std::string header_text(const Content& content, std::string_view encoding) {
+  const auto& [mesh, polygons, columns] = content;
   std::string text = "ply\nformat ";
   text.append(encoding).append(" 1.0\ncomment Mortise\nelement vertex ").append(std::to_string(mesh.points.size()));
-  text += "\nproperty double x\nproperty double y\nproperty double z\nelement face ";
+  text += "\nproperty double x\nproperty double y\nproperty double z";
+  for (const PlyColumn& c : columns) text.append(c.is_byte ? "\nproperty uchar " : "\nproperty double ").append(c.name);
+  text += "\nelement face ";
   text.append(std::to_string(polygons.size())).append("\nproperty list ");
   text.append(most_corners(polygons) > most_corners_in_byte ? "int" : "uchar").append(" int vertex_indices\n");
   if (!mesh.walls.empty()) text += "property uchar wall\n";
   text += "end_header\n";
   return text;
+}
+
+void append_value(std::string& bytes, const PlyColumn& column, std::size_t vertex) {
+  if (column.is_byte) return append_little_endian(bytes, column.byte(vertex));
+  append_little_endian(bytes, column.value(vertex));
 }
 
 }  // namespace
@@ -287,11 +345,14 @@ bool is_ascii_ply(std::string_view bytes) {
   return false;
 }
 
-std::string write_ply_ascii(const SurfaceMesh& mesh) {
-  const Polygons polygons = find_polygons(mesh);
-  std::string text = header_text(mesh, polygons, "ascii");
-  for (const Vec3d& point : mesh.points) {
-    append_point(text, point);
+std::string write_ply_ascii(const SurfaceMesh& given) {
+  if (!given.corner_data.empty()) return write_ply_ascii(corners_to_vertices(given, no_value).mesh);
+  const Content content(given);
+  const auto& [mesh, polygons, columns] = content;
+  std::string text = header_text(content, "ascii");
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    append_point(text, mesh.points[v]);
+    for (const PlyColumn& c : columns) append_double(text.append(" "), c.is_byte ? c.byte(v) : c.value(v));
     text += '\n';
   }
   for (std::size_t i = 0; i < polygons.size(); ++i) {
@@ -303,13 +364,16 @@ std::string write_ply_ascii(const SurfaceMesh& mesh) {
   return text;
 }
 
-std::string write_ply_binary(const SurfaceMesh& mesh) {
-  const Polygons polygons = find_polygons(mesh);
+std::string write_ply_binary(const SurfaceMesh& given) {
+  if (!given.corner_data.empty()) return write_ply_binary(corners_to_vertices(given, no_value).mesh);
+  const Content content(given);
+  const auto& [mesh, polygons, columns] = content;
   const bool has_long_lists = most_corners(polygons) > most_corners_in_byte;
-  std::string bytes = header_text(mesh, polygons, "binary_little_endian");
+  std::string bytes = header_text(content, "binary_little_endian");
   bytes.reserve(bytes.size() + mesh.points.size() * 24 + mesh.triangles.size() * 14);
-  for (const Vec3d& point : mesh.points) {
-    for (std::size_t i = 0; i < 3; ++i) append_little_endian(bytes, point[i]);
+  for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+    for (std::size_t i = 0; i < 3; ++i) append_little_endian(bytes, mesh.points[v][i]);
+    for (const PlyColumn& c : columns) append_value(bytes, c, v);
   }
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     const auto corners = polygons.corners_of(i);

@@ -91,6 +91,11 @@ std::string one_line_name(std::string_view name) {
   return result;
 }
 
+double value_of_word(std::string_view word) {
+  const ParsedNumber<double> number = parse_double(word);
+  return number.error == NumberError::None ? number.value : std::numeric_limits<double>::quiet_NaN();
+}
+
 double read_coordinate(std::string_view word, const TextPlace& place) {
   const ParsedNumber<double> number = parse_double(word);
   switch (number.error) {

@@ -68,6 +68,9 @@ class LineReader {
 /// @throws Error{ParseFailed} not a number or empty, {NotFinite} a word for NaN or infinity, {OutOfRange} beyond double; each with the line
 [[nodiscard]] double read_coordinate(std::string_view word, const TextPlace& place);
 
+/// The number a word says, NaN where it is no finite number: for data, which may lack values.
+[[nodiscard]] double value_of_word(std::string_view word);
+
 /// An integer read from one word. `what` names it in messages.
 /// @throws Error{ParseFailed} with the line
 [[nodiscard]] std::int64_t read_integer(std::string_view word, const TextPlace& place, std::string_view what);

@@ -36,11 +36,11 @@ void fill_normals(const SurfaceMesh& mesh, DataChannel& channel) {
   }
 }
 
-/// All data at corners, no value missing, no -0.
+/// All data at corners, no value missing unless `missing` is none, no -0.
 std::vector<DataChannel> complete_data(const SurfaceMesh& mesh, double missing) {
   std::vector<DataChannel> channels = all_as_corner_data(mesh);
   for (DataChannel& c : channels) {
-    if (c.kind == DataKind::Normal) fill_normals(mesh, c);
+    if (c.kind == DataKind::Normal && !is_no_value(missing)) fill_normals(mesh, c);
     for (double& x : c.values) x = (is_no_value(x) ? missing : x) + 0.0;
   }
   return channels;

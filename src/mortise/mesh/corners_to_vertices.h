@@ -17,7 +17,7 @@ struct MeshOfVertices {
 /// The mesh with a vertex for every set of values that corners of its triangles have at a vertex, in the order of their first
 /// corners; -0 becomes 0, vertices without triangles go. The surface stays the same, but is open where values differ: along seams.
 ///
-/// @param missing  put where there is no value; where a normal has none, it is that of its triangle, of length 1
+/// @param missing  put where there is no value; where a normal has none, it is that of its triangle, of length 1. NaN: both stay
 /// @throws what validate() throws
 /// O(n log k) for k corners at a vertex.
 [[nodiscard]] MeshOfVertices corners_to_vertices(const SurfaceMesh& mesh, double missing);
