@@ -279,6 +279,25 @@ TEST_CASE("data of vertices stay continuous on their operand, bit for bit", "[da
   }
 }
 
+TEST_CASE("simplified results have their data; faces with data are not joined across", "[data]") {
+  // The second box cuts the first; what the expression takes of it lies inside: the cut is left over.
+  const SurfaceMesh a = box({0, 0, 0}, {2, 2, 2}), b = box({1, 0.5, -1}, {3, 1.5, 1}), c = box({1.25, 0.75, 0.25}, {1.75, 1.25, 0.75});
+  BooleanOptions cut, coplanar;
+  cut.simplify = Simplify::Cut;
+  coplanar.simplify = Simplify::Coplanar;
+  const std::vector<SurfaceMesh> charted{with_chart(a), with_chart(b), with_chart(c)};
+  const auto operands = pointers_to(charted);
+  const BooleanResult whole = evaluate_expression("a | (b & c)", operands), result = evaluate_expression("a | (b & c)", operands, cut);
+  CHECK(result.mesh.triangles.size() == 12);
+  CHECK(whole.mesh.triangles.size() > 12);
+  CHECK(deviation_from_chart(result.mesh, 2) == 0);
+  const SurfaceMesh next = box({2, 0, 0}, {4, 2, 2});
+  const BooleanResult flat = unite(charted[0], with_chart(next), coplanar);
+  CHECK(deviation_from_chart(flat.mesh, 4) == 0);
+  CHECK(unite(a, next, coplanar).mesh.triangles.size() == 12);
+  CHECK(flat.mesh.triangles.size() == 20);
+}
+
 TEST_CASE("seams of a soup stay seams", "[data]") {
   SurfaceMesh soup = soup_of(box({0, 0, 0}, {2, 2, 2}));
   DataChannel side{"side", 1, DataKind::Value, {}};
