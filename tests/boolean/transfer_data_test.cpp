@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <limits>
 
+#include "mortise/arrange/prepared_operand.h"
 #include "mortise/boolean/evaluate_expression.h"
 #include "mortise/boolean/implant.h"
 #include "mortise/boolean/imprint.h"
@@ -296,6 +297,19 @@ TEST_CASE("simplified results have their data; faces with data are not joined ac
   CHECK(deviation_from_chart(flat.mesh, 4) == 0);
   CHECK(unite(a, next, coplanar).mesh.triangles.size() == 12);
   CHECK(flat.mesh.triangles.size() == 20);
+}
+
+TEST_CASE("a prepared operand that is moved has the data of the moved mesh", "[data]") {
+  const SurfaceMesh block = with_normals(with_chart(box({0, 0, 0}, {2, 2, 2}))), ball = with_chart(make_icosphere(1, 2));
+  const AffineMap place = compose(rotation(Axis::X, 33), translation({0.5, 0.25, 0.125}));
+  const PreparedOperand prepared(block);
+  const BooleanResult result = subtract(ball, Operand(prepared, place)), fresh = subtract(ball, transform(block, place));
+  REQUIRE(result.mesh.corner_data.size() == 2);
+  for (std::size_t c = 0; c < 2; ++c) {
+    const auto is_same = [](double x, double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
+    const std::vector<double>&found = result.mesh.corner_data[c].values, &wanted = fresh.mesh.corner_data[c].values;
+    CHECK(std::equal(found.begin(), found.end(), wanted.begin(), wanted.end(), is_same));
+  }
 }
 
 TEST_CASE("seams of a soup stay seams", "[data]") {
