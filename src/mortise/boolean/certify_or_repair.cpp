@@ -24,9 +24,13 @@ void repair(const OperandFaces& faces, const Facets& facets, double least_reach,
   auto& [merged, certified] = result;
   constexpr int most_rounds = 8;
   for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
-    if (!merge_close_vertices(faces, certified.failed, least_reach, merged) && !swap_slivers(certified.failed, least_reach, merged)) return;
+    const std::uint32_t merges = certified.certificate.merge_rounds, swaps = certified.certificate.swap_rounds;
+    const bool is_merged = merge_close_vertices(faces, certified.failed, least_reach, merged);
+    if (!is_merged && !swap_slivers(certified.failed, least_reach, merged)) return;
     certified = certify(faces, facets, merged, progress);
     certified.certificate.repair_displacement = merged.repair_displacement;
+    certified.certificate.merge_rounds = merges + (is_merged ? 1 : 0);
+    certified.certificate.swap_rounds = swaps + (is_merged ? 0 : 1);
   }
 }
 

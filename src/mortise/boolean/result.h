@@ -45,6 +45,8 @@ struct Certificate {
   std::uint64_t inherited_pairs = 0;        ///< that meet beyond what they share because their faces did so in one operand
   double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
   double repair_displacement = 0;           ///< the part of it that repair added; 0: every made vertex is its nearest double
+  std::uint32_t merge_rounds = 0;           ///< of repair, in which vertices were merged
+  std::uint32_t swap_rounds = 0;            ///< of repair, in which slivers were swapped
   std::vector<std::uint32_t> failed_faces;  ///< of the result, ascending; empty when certified
 };
 

@@ -1,0 +1,208 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Scenes built to break rounding. Every result is certified and free of crossings by the oracle, or uncertified with crossings
+// where it says; how many needed which step of repair is printed.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <set>
+
+#include "mortise/base/trig.h"
+#include "mortise/mesh/find_self_crossings.h"
+#include "mortise/mesh/measures.h"
+#include "mortise/mesh/shapes.h"
+#include "mortise/mesh/transform.h"
+#include "support/boolean_checks.h"
+#include "support/boolean_scenes.h"
+#include "support/catch.h"
+#include "support/data.h"
+#include "support/mesh_checks.h"
+#include "support/random_source.h"
+#include "support/self_crossing_oracle.h"
+#include "support/test_scale.h"
+
+using namespace mortise;
+using namespace mortise::test;
+
+namespace {
+
+constexpr Operation operations[] = {Operation::Union, Operation::Intersect, Operation::Subtract, Operation::SymmetricDifference};
+
+AffineMap random_turn(RandomSource& random) {
+  const double x = random.between(0, 360), y = random.between(0, 360), z = random.between(0, 360);
+  return compose(compose(rotation(Axis::X, x), rotation(Axis::Y, y)), rotation(Axis::Z, z));
+}
+
+/// Does a face that the certificate names have no area, or meet another beyond what they share, or an edge of more than two faces?
+bool is_reason_true(const BooleanResult& result) {
+  const SurfaceMesh& mesh = result.mesh;
+  for (const std::uint32_t f : result.report.certificate.failed_faces) {
+    if (is_degenerate(mesh, FaceId(f))) return true;
+    for (std::uint32_t g = 0; g < mesh.triangles.size(); ++g) {
+      if (g != f && triangles_meet_beyond_shared(mesh, FaceId(f), FaceId(g))) return true;
+    }
+  }
+  return !find_non_manifold_edges(build_topology(mesh)).empty();
+}
+
+/// An operand and two of its faces, the lower one first.
+using FacePair = std::array<std::size_t, 3>;
+
+FacePair sources_of(const BooleanResult& result, const oracle::MeetingPair& pair) {
+  const Provenance& p = result.provenance;
+  if (p.source_operand[pair.face_a] != p.source_operand[pair.face_b]) return {};
+  const std::size_t f = p.source_face[pair.face_a], g = p.source_face[pair.face_b];
+  return {p.source_operand[pair.face_a], std::min(f, g), std::max(f, g)};
+}
+
+/// Counts results by what they needed.
+struct Tally {
+  std::size_t results = 0, plain = 0, merged = 0, swapped = 0, uncertified = 0;
+
+  /// @param brought  crossing faces of one operand: a certificate is relative to them
+  void add(const BooleanResult& result, const std::set<FacePair>& brought = {}) {
+    const Certificate& certificate = result.report.certificate;
+    ++results;
+    CHECK(is_balanced(result.mesh));
+    if (certificate.status == CertificateStatus::Uncertified) {
+      ++uncertified;
+      REQUIRE(!certificate.failed_faces.empty());
+      CHECK(is_reason_true(result));
+      return;
+    }
+    CHECK(certificate.failed_faces.empty());
+    for (const auto& pair : oracle::self_crossings(result.mesh)) CHECK(brought.count(sources_of(result, pair)) == 1);
+    plain += certificate.merge_rounds + certificate.swap_rounds == 0 ? 1 : 0;
+    merged += certificate.merge_rounds > 0 ? 1 : 0;
+    swapped += certificate.swap_rounds > 0 ? 1 : 0;
+  }
+
+  void print(const char* family) const {
+    std::printf("rounding, %-32s %4zu results: %4zu as rounded, %4zu merged, %3zu swapped, %3zu uncertified\n", family, results, plain,
+                merged, swapped, uncertified);
+  }
+};
+
+void evaluate_all(const std::vector<SurfaceMesh>& operands, Tally& tally, const std::set<FacePair>& brought = {}) {
+  for (const Operation operation : operations) {
+    INFO(operation_name(operation));
+    tally.add(evaluate(operation, operands), brought);
+  }
+}
+
+SurfaceMesh round_shape(RandomSource& random) {
+  switch (random.below(4)) {
+    case 0:
+      return make_icosphere(1, 1);
+    case 1:
+      return make_torus(1, 0.375, 12, 8);
+    case 2:
+      return make_cylinder(0.75, 1.5, 9);
+    default:
+      return box({-0.5, -0.75, -1}, {0.5, 0.75, 1});
+  }
+}
+
+/// Every coordinate moved up or down by one unit in the last place, or not.
+SurfaceMesh one_ulp_off(SurfaceMesh mesh, RandomSource& random) {
+  for (Vec3d& p : mesh.points) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const double limit = random.once_in(2) ? 100 : -100;
+      if (!random.once_in(3)) p[i] = std::nextafter(p[i], limit);
+    }
+  }
+  return mesh;
+}
+
+}  // namespace
+
+TEST_CASE("copies turned by 1e-9 to 1e-16 are certified, or uncertified with a true reason", "[rounding]") {
+  Tally tally;
+  for (std::size_t seed = 1; seed <= scaled_count(60, 2000); ++seed) {
+    INFO("seed " << seed);
+    RandomSource random(seed);
+    const AffineMap pose = random_turn(random);
+    const SurfaceMesh shape = transform(round_shape(random), pose);
+    const double degrees = trig::to_degrees(std::pow(10.0, -9 - static_cast<int>(random.below(8))));
+    evaluate_all({shape, transform(shape, rotation(Axis::Z, degrees))}, tally);
+  }
+  tally.print("copies turned a little");
+  CHECK(tally.plain + tally.merged > tally.results / 2);
+}
+
+TEST_CASE("shells one unit in the last place apart are certified, or uncertified with a true reason", "[rounding]") {
+  Tally tally;
+  for (std::size_t seed = 1; seed <= scaled_count(60, 2000); ++seed) {
+    INFO("seed " << seed);
+    RandomSource random(seed);
+    const SurfaceMesh shape = transform(round_shape(random), random_turn(random));
+    const double outwards = 1 + std::ldexp(1.0, -52 + static_cast<int>(random.below(3)));
+    evaluate_all({shape, random.once_in(2) ? one_ulp_off(shape, random) : transform(shape, scaling({outwards, outwards, outwards}))},
+                 tally);
+  }
+  tally.print("shells 1 ulp apart");
+  CHECK(tally.plain + tally.merged > tally.results / 2);
+}
+
+TEST_CASE("many planes through nearly one point are certified, or uncertified with a true reason", "[rounding]") {
+  Tally tally;
+  for (std::size_t seed = 1; seed <= scaled_count(6, 60); ++seed) {
+    INFO("seed " << seed);
+    RandomSource random(seed);
+    // A corner of every box lies within a few units in the last place of one point.
+    std::vector<SurfaceMesh> boxes;
+    const Vec3d point{0.1, 0.2, 0.3};
+    for (std::size_t i = 0; i < 10 + 6 * seed; ++i) {
+      const SurfaceMesh turned = transform(box({0, 0, 0}, random.point(1, 2)), random_turn(random));
+      boxes.push_back(one_ulp_off(moved(turned, point), random));
+    }
+    for (const Operation operation : {Operation::Union, Operation::Subtract}) tally.add(evaluate(operation, boxes));
+  }
+  tally.print("planes through nearly one point");
+}
+
+TEST_CASE("chains of 50 operations in random poses stay certified, or are uncertified with a true reason", "[rounding]") {
+  Tally tally;
+  for (std::size_t seed = 1; seed <= scaled_count(3, 100); ++seed) {
+    RandomSource random(seed);
+    SurfaceMesh body = transform(box({-1, -1, -1}, {1, 1, 1}), random_turn(random));
+    for (int step = 0; step < 50; ++step) {
+      INFO("seed " << seed << ", step " << step);
+      const Vec3d at = 1.2 * random.direction();
+      const SurfaceMesh tool = moved(transform(scaled(round_shape(random), 0.4), random_turn(random)), at);
+      const BooleanResult next = evaluate(random.once_in(2) ? Operation::Union : Operation::Subtract, {body, tool});
+      tally.add(next);
+      CHECK(next.report.self_contacts.empty());
+      body = next.mesh;
+    }
+  }
+  tally.print("chains of 50");
+  CHECK(tally.uncertified == 0);
+}
+
+TEST_CASE("ordinary scenes need no repair", "[rounding]") {
+  Tally tally;
+  for (std::size_t seed = 1; seed <= scaled_count(60, 2000); ++seed) {
+    INFO("seed " << seed);
+    RandomSource random(seed);
+    const SurfaceMesh a = transform(round_shape(random), random_turn(random));
+    evaluate_all({a, moved(transform(round_shape(random), random_turn(random)), random.point(-0.5, 0.5))}, tally);
+  }
+  tally.print("ordinary scenes");
+  CHECK(tally.plain == tally.results);
+}
+
+TEST_CASE("two meshes of slivers in the last places are certified, or uncertified with a true reason", "[rounding][scenario]") {
+  if (is_data_missing()) return;
+  Tally tally;
+  const std::vector<SurfaceMesh> twins{read_data("nasty/manifold_Generic_Twin_7863_left.obj"),
+                                       read_data("nasty/manifold_Generic_Twin_7863_right.obj")};
+  std::set<FacePair> brought;
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (const auto& pair : oracle::self_crossings(twins[k])) brought.insert({k, pair.face_a, pair.face_b});
+  }
+  REQUIRE(!brought.empty());
+  evaluate_all(twins, tally, brought);
+  tally.print("Generic_Twin");
+}
