@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Vertex and corner data of the operands on the triangles of a result (docs/decisions/007).
+// Vertex and corner data of the operands on the triangles of a result (docs/decisions/008).
 #pragma once
 
 #include <span>
