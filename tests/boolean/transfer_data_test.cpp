@@ -351,7 +351,8 @@ TEST_CASE("a linear chart stays linear on needles", "[data]") {
 
 TEST_CASE("a linear chart stays linear where rounding had to be repaired", "[data]") {
   std::size_t repaired = 0;
-  for (std::size_t seed = 1; seed <= scaled_count(40, 1000); ++seed) {
+  const std::size_t enough = scaled_count(10, 250);
+  for (std::size_t seed = 1; repaired < enough && seed <= 10000; ++seed) {
     INFO("seed " << seed);
     RandomSolids random(seed);
     std::vector<SurfaceMesh> solids = slightly_off(random.next(3));
@@ -359,7 +360,7 @@ TEST_CASE("a linear chart stays linear where rounding had to be repaired", "[dat
     CHECK(worst_deviation(solids) < 1e-12);
     repaired += evaluate(Operation::Union, solids).report.certificate.repair_displacement > 0 ? 1U : 0U;
   }
-  CHECK(repaired > 0);
+  CHECK(repaired == enough);
 }
 
 TEST_CASE("a linear chart stays linear through a chain of operations", "[data]") {
