@@ -82,6 +82,8 @@ void compare(const Certificate& a, const Certificate& b, Differences& difference
   differences.compare("inherited_pairs", a.inherited_pairs, b.inherited_pairs);
   differences.compare("largest_displacement", a.largest_displacement, b.largest_displacement);
   differences.compare("repair_displacement", a.repair_displacement, b.repair_displacement);
+  differences.compare("merge_rounds", a.merge_rounds, b.merge_rounds);
+  differences.compare("swap_rounds", a.swap_rounds, b.swap_rounds);
   differences.compare("failed_faces", a.failed_faces, b.failed_faces);
 }
 

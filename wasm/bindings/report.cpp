@@ -122,12 +122,16 @@ std::vector<std::string> mesh_notes(const MeshReport& report) {
 }
 
 std::string certificate_note(const Certificate& certificate) {
-  const std::string level = certificate.level == CertificateLevel::Absolute ? "absolute certificate: " : "relative certificate: ";
-  const std::string tested = level + std::to_string(certificate.triangles_tested) + " triangles with rounded vertices tested in " +
-                             std::to_string(certificate.pairs_tested) + " pairs";
+  const bool is_absolute = certificate.level == CertificateLevel::Absolute;
+  const std::string triangles = std::to_string(certificate.triangles_tested), pairs = std::to_string(certificate.pairs_tested);
+  const std::string tested = is_absolute
+                                 ? "absolute certificate: all " + triangles + " triangles tested against one another"
+                                 : "relative certificate: " + triangles + " triangles with rounded vertices tested in " + pairs + " pairs";
   const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement);
   if (certificate.status == CertificateStatus::Certified) return tested + moved;
-  return tested + moved + "; " + std::to_string(certificate.failed_faces.size()) + " triangles are not proven free of new crossings";
+  const std::string failed = "; " + std::to_string(certificate.failed_faces.size());
+  return tested + moved + failed +
+         (is_absolute ? " triangles are not free of crossings" : " triangles are not proven free of new crossings");
 }
 
 /// Ids begin with 1: 0 is the space outside.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "mortise/base/sort_in_buckets.h"
 #include "mortise/exact/predicates.h"
 #include "mortise/geom/box_tree.h"
 
@@ -17,22 +18,6 @@ constexpr const char* stage_name = "find_contacts";
 struct Pair {
   std::uint32_t a, b;  // a < b
 };
-
-// Sorts by a, then b: pairs are put in place by a, those of one a are few.
-std::vector<Pair> sorted_pairs(const std::vector<Pair>& pairs, std::size_t face_count) {
-  std::vector<std::size_t> next(face_count + 1, 0);
-  for (const Pair& p : pairs) ++next[p.a + 1];
-  for (std::size_t f = 0; f < face_count; ++f) next[f + 1] += next[f];
-  std::vector<Pair> sorted(pairs.size());
-  for (const Pair& p : pairs) sorted[next[p.a]++] = p;
-  const auto is_before = [](const Pair& p, const Pair& q) { return p.b < q.b; };
-  for (std::size_t i = 0; i < sorted.size();) {
-    const std::size_t end = next[sorted[i].a];  // where the pairs of this face end now
-    std::sort(sorted.begin() + static_cast<std::ptrdiff_t>(i), sorted.begin() + static_cast<std::ptrdiff_t>(end), is_before);
-    i = end;
-  }
-  return sorted;
-}
 
 // Counts before it stores: n^2 pairs are legal, running out of memory is not.
 class PairList {
@@ -48,7 +33,8 @@ class PairList {
       throw Error(ErrorCode::ResultTooLarge, stage_name,
                   std::to_string(count_) + " pairs of faces may touch; they need " + std::to_string(count_ * bytes_per_pair) + " bytes");
     }
-    return sorted_pairs(pairs_, face_count);
+    const auto first_face = [](const Pair& p) { return p.a; };
+    return sorted_in_buckets(pairs_, face_count, first_face, [](const Pair& p, const Pair& q) { return p.b < q.b; });
   }
 
  private:

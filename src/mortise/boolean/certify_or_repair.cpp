@@ -47,26 +47,22 @@ RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets,
   return coarser.certified.failed.empty() ? coarser : result;
 }
 
-std::size_t certify_all_pairs(RoundedResult& result) {
-  const SurfaceMesh& mesh = result.merged.mesh;
-  Certificate& certificate = result.certified.certificate;
+Certificate certify_all_pairs(const SurfaceMesh& mesh, Certificate relative) {
+  Certificate certificate = std::move(relative);
   certificate.level = CertificateLevel::Absolute;
+  certificate.triangles_tested = mesh.triangles.size();
   std::vector<std::uint32_t>& failed = certificate.failed_faces;
-  std::size_t count = 0;
   for (std::uint32_t f = 0; f < mesh.triangles.size(); ++f) {
-    if (!is_degenerate(mesh, FaceId(f))) continue;
-    failed.push_back(f);
-    ++count;
+    if (is_degenerate(mesh, FaceId(f))) failed.push_back(f);
   }
   for (const SelfCrossing& pair : find_self_crossings(mesh)) {
     failed.push_back(pair.a.value);
     failed.push_back(pair.b.value);
-    ++count;
   }
   std::sort(failed.begin(), failed.end());
   failed.erase(std::unique(failed.begin(), failed.end()), failed.end());
   if (!failed.empty()) certificate.status = CertificateStatus::Uncertified;
-  return count;
+  return certificate;
 }
 
 }  // namespace mortise

@@ -19,9 +19,9 @@ struct RoundedResult {
 [[nodiscard]] RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged,
                                               const ProgressCallback& progress);
 
-/// Raises a certificate to CertificateLevel::Absolute: all pairs of triangles are looked at, those also that the operands had.
-/// @return the number of pairs, and of triangles without area, that do not hold
+/// The certificate of a result raised to CertificateLevel::Absolute: all pairs of triangles are looked at, those also that the
+/// operands had.
 /// O(n log n) in the result, plus time in proportion to the pairs whose boxes meet.
-std::size_t certify_all_pairs(RoundedResult& result);
+[[nodiscard]] Certificate certify_all_pairs(const SurfaceMesh& mesh, Certificate relative);
 
 }  // namespace mortise

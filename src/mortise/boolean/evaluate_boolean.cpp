@@ -165,8 +165,11 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   MergedMesh merged = timed(times, "merge", [&] { return merge(operands.meshes(), faces, arrangement.facets, selection); });
   RoundedResult rounded =
       timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
-  if (options.certify == CertificateLevel::Absolute) timed(times, "certify", [&] { return certify_all_pairs(rounded); });
   report.certificate = std::move(rounded.certified.certificate);
+  if (options.certify == CertificateLevel::Absolute) {
+    const auto certify_all = [&] { return certify_all_pairs(rounded.merged.mesh, std::move(report.certificate)); };
+    report.certificate = timed(times, "certify", certify_all);
+  }
   if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
   report.self_contacts = arrangement.self_contacts;
   report.sheets = sheets_of(operands, faces);

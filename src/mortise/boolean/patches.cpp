@@ -4,7 +4,9 @@
 #include "mortise/boolean/patches.h"
 
 #include <algorithm>
+#include <functional>
 
+#include "mortise/base/sort_in_buckets.h"
 #include "mortise/base/union_find.h"
 
 namespace mortise {
@@ -85,16 +87,10 @@ class PatchBuilder {
     edges_.push_back({key, f, is_forward});
   }
 
-  // By key, then facet. Buckets by the smaller point are short: this takes linear time.
+  // By key, then facet; few edges share their smaller point.
   void sort_edges() {
-    std::vector<std::uint32_t> begin(faces_.points.size() + 1, 0);
-    for (const FacetEdge& e : edges_) ++begin[(e.key >> 32U) + 1];
-    for (std::size_t p = 1; p < begin.size(); ++p) begin[p] += begin[p - 1];
-    std::vector<FacetEdge> sorted(edges_.size());
-    std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
-    for (const FacetEdge& e : edges_) sorted[next[e.key >> 32U]++] = e;
-    for (std::size_t p = 0; p + 1 < begin.size(); ++p) std::sort(sorted.begin() + begin[p], sorted.begin() + begin[p + 1]);
-    edges_ = std::move(sorted);
+    const auto smaller_point = [](const FacetEdge& e) { return static_cast<std::size_t>(e.key >> 32U); };
+    edges_ = sorted_in_buckets(edges_, faces_.points.size(), smaller_point, std::less<>());
   }
 
   bool continue_each_other(const FacetEdge& a, const FacetEdge& b) const {
