@@ -180,7 +180,7 @@ TEST_CASE("a partition that had to be repaired is certified with closed regions,
     CHECK(oracle::self_crossings(result.mesh).empty());
     CHECK(find_result_regions(result).total_volume() == Approx(enclosed_volume(evaluate(Operation::Union, solids).mesh)).epsilon(1e-12));
   }
-  CHECK(certified > scaled_count(300, 5000) / 8);
+  CHECK(certified > scaled_count(300, 5000) / 6);
   CHECK(uncertified < certified / 2);
 }
 

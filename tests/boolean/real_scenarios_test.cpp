@@ -74,7 +74,7 @@ Loaded load(const ListedScene& scene) {
   return loaded;
 }
 
-BooleanResult check_evaluation(const Loaded& loaded, const Evaluation& evaluation) {
+BooleanResult check_evaluation(const Loaded& loaded, const ListedEvaluation& evaluation) {
   std::vector<const SurfaceMesh*> operands;
   for (const std::size_t i : evaluation.order) operands.push_back(&loaded.operands[i]);
   BooleanResult result = evaluate_word(evaluation.word, operands);
@@ -116,7 +116,7 @@ TEST_CASE("booleans of real meshes agree with the printed figures, closed, orien
     const Loaded loaded = load(scene);
     if (is_too_large(loaded)) continue;
     std::vector<BooleanResult> results;
-    for (const Evaluation& evaluation : scene.evaluations) {
+    for (const ListedEvaluation& evaluation : scene.evaluations) {
       INFO(evaluation.name);
       results.push_back(check_evaluation(loaded, evaluation));
     }

@@ -47,9 +47,9 @@ std::vector<std::size_t> all_of(std::size_t count) {
 }
 
 /// @param text  "subtract B A"
-Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
+ListedEvaluation evaluation_of(const std::string& text, std::size_t operand_count) {
   const std::vector<std::string> words = words_of(text);
-  Evaluation evaluation{words.at(0), words[0], {}, "", "", "", ""};
+  ListedEvaluation evaluation{words.at(0), words[0], {}, "", "", "", ""};
   for (std::size_t i = 1; i < words.size(); ++i) {
     const auto operand = static_cast<std::size_t>(words[i].at(0) - 'A');
     if (words[i].size() != 1 || operand >= operand_count) throw std::invalid_argument("no operand " + words[i]);
@@ -61,10 +61,10 @@ Evaluation evaluation_of(const std::string& text, std::size_t operand_count) {
 }
 
 /// @param text  "subtract B A = 6.41, parts 2", or without figures
-Evaluation figures_of(const std::string& text, std::size_t operand_count) {
+ListedEvaluation figures_of(const std::string& text, std::size_t operand_count) {
   const std::size_t equals = text.find(" = ");
   if (equals == std::string::npos) return evaluation_of(text, operand_count);
-  Evaluation evaluation = evaluation_of(text.substr(0, equals), operand_count);
+  ListedEvaluation evaluation = evaluation_of(text.substr(0, equals), operand_count);
   const std::vector<std::string> figures = split(text.substr(equals + 3), ',');
   evaluation.volume = figures.at(0);
   for (std::size_t i = 1; i < figures.size(); ++i) {

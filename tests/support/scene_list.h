@@ -14,7 +14,7 @@ namespace mortise::test {
 
 /// One operation on operands of a scene, and what was printed of its result: as text, since its last digit says how exact it
 /// is; empty where nothing was.
-struct Evaluation {
+struct ListedEvaluation {
   std::string name;                ///< "union", "subtract-B-A"
   std::string word;                ///< the name of an operation, "combine:(a|b)&!c", "keep:10,same", "implant:drop": no spaces
   std::vector<std::size_t> order;  ///< of the operands
@@ -25,7 +25,7 @@ struct ListedScene {
   std::string name;
   std::size_t line;                   ///< in the file, the first is 1
   std::vector<std::string> operands;  ///< as written
-  std::vector<Evaluation> evaluations;
+  std::vector<ListedEvaluation> evaluations;
   bool has_figures = false;
   bool needs_data = false;
 };

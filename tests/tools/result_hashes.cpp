@@ -173,7 +173,7 @@ void write_listed_scene(const fs::path& folder, const test::ListedScene& scene) 
   for (const std::string& text : scene.operands) operands.push_back(test::load_operand(text));
   if (!scene.needs_data) operands = with_data(std::move(operands));
   write_operands(folder, scene.name, operands);
-  for (const test::Evaluation& evaluation : scene.evaluations) {
+  for (const test::ListedEvaluation& evaluation : scene.evaluations) {
     std::vector<const SurfaceMesh*> chosen;
     for (const std::size_t i : evaluation.order) chosen.push_back(&operands[i]);
     write_outcome((folder / (evaluation.name + ".")).string(), evaluation.word, chosen);

@@ -40,8 +40,8 @@ enum class CertificateLevel : std::uint8_t {
 struct Certificate {
   CertificateLevel level = CertificateLevel::Relative;
   CertificateStatus status = CertificateStatus::Certified;
-  std::uint64_t triangles_tested = 0;  ///< with a vertex that was rounded; all of them for CertificateLevel::Absolute
-  std::uint64_t pairs_tested = 0;      ///< of a triangle with such a vertex and another
+  std::uint64_t triangles_tested = 0;       ///< with a vertex that was rounded; all of them for CertificateLevel::Absolute
+  std::uint64_t pairs_tested = 0;           ///< of a triangle with such a vertex and another
   std::uint64_t inherited_pairs = 0;        ///< that meet beyond what they share because their faces did so in one operand
   double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
   double repair_displacement = 0;           ///< the part of it that repair added; 0: every made vertex is its nearest double
