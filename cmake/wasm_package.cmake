@@ -5,12 +5,16 @@
 # Parts of the library that read a few words, repair a few triangles or run once per result: what they weigh counts, not how
 # fast they are.
 set(mortise_light_sources
-    boolean/cut_by_sheets boolean/evaluate_expression boolean/expression boolean/facet_sources boolean/implant boolean/imprint
+    boolean/certify_or_repair boolean/cut_by_sheets boolean/evaluate_boolean boolean/evaluate_expression boolean/expression
+    boolean/facet_sources boolean/implant boolean/imprint boolean/imprinted_operand
     boolean/join_coincident boolean/keep_faces boolean/keep_triangles boolean/merge_close_vertices boolean/moved_shells boolean/operation
-    boolean/refuse_operands boolean/resolve boolean/result_regions boolean/stacked_triangles boolean/swap_slivers
+    boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/stacked_triangles
+    boolean/swap_slivers
     io/formats io/ply_header
-    mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/half_space mesh/order_round_edge mesh/orient_faces mesh/repair
-    mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/volume_sign mesh/wedge_partners)
+    mesh/corners_to_vertices mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/group_by_label mesh/half_space
+    mesh/order_round_edge mesh/orient_faces mesh/repair
+    mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/split_pinches
+    mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners)
 list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
 list(TRANSFORM mortise_light_sources APPEND ".cpp")
 set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Os)

@@ -85,16 +85,7 @@ TEST_CASE("made vertices of pairs of random solids are the oracle's points") {
 
 TEST_CASE("results of many random solids keep the rules of inclusion and exclusion with one solid more") {
   // V(all or x) + V(all and x) = V(all) + V(x), where `all` is a result that was rounded: its faces are nearly coplanar with those of x.
-  std::size_t calls = 0, uncertified = 0;
-  const auto check = [&](const BooleanResult& result) {
-    ++calls;
-    if (result.report.certificate.status == CertificateStatus::Uncertified) {
-      ++uncertified;
-      CHECK(is_balanced(result.mesh));
-    } else {
-      CHECK(faults_of_mesh(result) == "");
-    }
-  };
+  const auto check = [](const BooleanResult& result) { CHECK(faults_of_mesh(result) == ""); };
   for_random_solids(30, 1000, 8, [&](const auto& solids, RandomSolids& random) {
     const SurfaceMesh all = evaluate(Operation::Union, solids).mesh, more = random.next();
     const BooleanResult either = evaluate(Operation::Union, {all, more}), both = evaluate(Operation::Intersect, {all, more});
@@ -103,7 +94,6 @@ TEST_CASE("results of many random solids keep the rules of inclusion and exclusi
     const double sum = exact_volume(all) + exact_volume(more);
     CHECK(exact_volume(either.mesh) + exact_volume(both.mesh) == Approx(sum).epsilon(1e-12));
   });
-  CHECK(100 * uncertified <= calls);
 }
 
 TEST_CASE("the order of random operands does not change the result") {

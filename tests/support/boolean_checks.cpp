@@ -327,6 +327,8 @@ bool are_sources_in_range(std::span<const SurfaceMesh* const> operands, const Bo
   return fine;
 }
 
+bool is_snapped(const BooleanResult& result) { return result.report.certificate.snap_rounds > 0; }
+
 std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs,
                                           Faults& faults) {
   const auto round = sources_round_made_vertices(result);
@@ -339,6 +341,7 @@ std::vector<RationalPoint> find_positions(std::span<const SurfaceMesh* const> op
       if (!have_equal_bits(doubles, source)) faults.add("vertex differs from its source vertex", v);
       continue;
     }
+    if (is_snapped(result)) continue;
     const std::vector<RationalPoint> points = exact_points_at(doubles, corners_of_sources(operands, round[v]), operands, repairs);
     if (points.size() == 1) positions.back() = points[0];
     if (points.empty()) faults.add("made vertex is not the nearest double of a point its faces determine", v);
@@ -443,11 +446,29 @@ std::string faults_of_mesh(const BooleanResult& result) {
   return faults.text();
 }
 
+/// They exist, once each, and none of them is a vertex of the result where it was.
+void check_moved_vertices(std::span<const SurfaceMesh* const> operands, const std::vector<OperandVertex>& moved, const SurfaceMesh& result,
+                          Faults& faults) {
+  const auto found = sorted_points(result);
+  for (std::size_t i = 0; i < moved.size(); ++i) {
+    const Vec3d& p = operands[moved[i].operand]->points.at(moved[i].vertex);
+    if (i > 0 && !(moved[i - 1] < moved[i])) faults.add("moved vertices are not ascending", i);
+    if (std::binary_search(found.begin(), found.end(), std::array<double, 3>{p.x, p.y, p.z}))
+      faults.add("a vertex said to be moved is there", i);
+  }
+}
+
 std::string faults_of_provenance(std::span<const SurfaceMesh* const> operands, const BooleanResult& result, Repairs repairs) {
   Faults faults;
   if (!are_sources_in_range(operands, result, faults)) return faults.text();
   Reference reference{operands, find_positions(operands, result, repairs, faults)};
-  if (repairs == Repairs::Allowed) reference.slack = std::ldexp(size_of_scene(operands), -44);
+  const double size = size_of_scene(operands);
+  if (repairs == Repairs::Allowed) reference.slack = std::ldexp(size, -44);
+  if (repairs == Repairs::Allowed && is_snapped(result)) {
+    reference.slack = result.report.certificate.largest_displacement;
+    if (!(reference.slack <= std::ldexp(size, -22))) faults.add("snapped farther than the coarsest grid does", 0);
+    check_moved_vertices(operands, result.report.certificate.moved_input_vertices, result.mesh, faults);
+  }
   for (std::size_t f = 0; f < result.mesh.triangles.size(); ++f) check_facet(reference, result, f, faults);
   return faults.text();
 }

@@ -84,9 +84,15 @@ void check_triangles(const SurfaceMesh& given, const ImprintedOperand& operand, 
   }
 }
 
-/// Input positions that faces with area use and no vertex of the operand has.
-void check_no_vertex_lost(const SurfaceMesh& given, const ImprintedOperand& operand, Faults& faults) {
-  const auto found = sorted_points(operand.mesh);
+/// Input positions that faces with area use and no vertex of the operand has, nor the list of those that had to move.
+void check_no_vertex_lost(std::uint32_t k, const SurfaceMesh& given, const ImprintResult& result, Faults& faults) {
+  auto found = sorted_points(result.operands[k].mesh);
+  for (const OperandVertex& moved : result.whole.report.certificate.moved_input_vertices) {
+    if (moved.operand != k) continue;
+    const Vec3d& p = given.points.at(moved.vertex);
+    found.push_back({p.x, p.y, p.z});
+  }
+  std::sort(found.begin(), found.end());
   for (std::size_t f = 0; f < given.triangles.size(); ++f) {
     const oracle::Corners c = oracle::corners_of(given, f);
     const Vec3d normal = cross(c[1] - c[0], c[2] - c[0]);
@@ -177,7 +183,7 @@ std::string faults_of_numbering(std::span<const SurfaceMesh* const> operands, co
     if (!faults.text().empty()) return faults.text();
     check_vertices(*operands[k], operand, result.whole.mesh, faults);
     check_triangles(*operands[k], operand, result.whole.mesh, faults);
-    check_no_vertex_lost(*operands[k], operand, faults);
+    check_no_vertex_lost(static_cast<std::uint32_t>(k), *operands[k], result, faults);
     for (std::size_t t = 0; t < operand.facet_ids.size(); ++t) {
       const int sense = sense_of(result.whole.mesh.triangles[operand.facet_ids[t]], common_corners(operand, t));
       found[operand.facet_ids[t]].push_back({static_cast<int>(k), static_cast<int>(operand.source_face[t]), sense});

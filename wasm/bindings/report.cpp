@@ -121,17 +121,49 @@ std::vector<std::string> mesh_notes(const MeshReport& report) {
   return notes;
 }
 
+std::string repair_note(const Certificate& certificate) {
+  std::string note;
+  if (certificate.merge_rounds > 0) note += "; vertices that rounding brought together were merged";
+  if (certificate.swap_rounds > 0) note += "; slivers that rounding folded were swapped";
+  if (certificate.snap_rounds > 0)
+    note += "; folds were arranged again in " + std::to_string(certificate.snap_rounds) + " rounds of snapping";
+  const std::size_t moved = certificate.moved_input_vertices.size();
+  return moved == 0 ? note : note + ", which moved " + std::to_string(moved) + " vertices of operands";
+}
+
 std::string certificate_note(const Certificate& certificate) {
   const bool is_absolute = certificate.level == CertificateLevel::Absolute;
   const std::string triangles = std::to_string(certificate.triangles_tested), pairs = std::to_string(certificate.pairs_tested);
   const std::string tested = is_absolute
                                  ? "absolute certificate: all " + triangles + " triangles tested against one another"
                                  : "relative certificate: " + triangles + " triangles with rounded vertices tested in " + pairs + " pairs";
-  const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement);
+  const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement) + repair_note(certificate);
   if (certificate.status == CertificateStatus::Certified) return tested + moved;
   const std::string failed = "; " + std::to_string(certificate.failed_faces.size());
   return tested + moved + failed +
          (is_absolute ? " triangles are not free of crossings" : " triangles are not proven free of new crossings");
+}
+
+val certificate_out(const Certificate& certificate) {
+  val object = val::object();
+  object.set("level", certificate.level == CertificateLevel::Absolute ? "absolute" : "relative");
+  object.set("trianglesTested", count_out(certificate.triangles_tested));
+  object.set("pairsTested", count_out(certificate.pairs_tested));
+  object.set("inheritedPairs", count_out(certificate.inherited_pairs));
+  object.set("failedTriangles", copy_out(certificate.failed_faces));
+  object.set("largestDisplacement", certificate.largest_displacement);
+  object.set("repairDisplacement", certificate.repair_displacement);
+  object.set("mergeRounds", certificate.merge_rounds);
+  object.set("swapRounds", certificate.swap_rounds);
+  object.set("snapRounds", certificate.snap_rounds);
+  const auto vertex_out = [](const OperandVertex& v) {
+    val pair = val::object();
+    pair.set("operand", v.operand);
+    pair.set("vertex", v.vertex);
+    return pair;
+  };
+  object.set("movedInputVertices", list_out(certificate.moved_input_vertices, vertex_out));
+  return object;
 }
 
 /// Ids begin with 1: 0 is the space outside.
@@ -151,6 +183,7 @@ val regions_out(const std::vector<ResultRegion>& regions) {
 /// What a report says beside the mesh itself.
 struct Account {
   bool certified = false;
+  val certificate = val::null();
   val operands = val::array();
   std::vector<StageTime> times;
   std::vector<ResultRegion> regions;
@@ -172,6 +205,7 @@ MeshReport inspect_into(const SurfaceMesh& mesh, Search search, Account& account
 val report_out(const MeshReport& report, Search search, const Account& account) {
   val object = mesh_report_out(report, search);
   object.set("certified", account.certified);
+  object.set("certificate", account.certificate);
   object.set("operands", account.operands);
   object.set("stages", list_out(account.times, stage_out));
   object.set("milliseconds", 0);
@@ -199,6 +233,7 @@ val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<c
                        const ResultRegions& regions, Search search) {
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;
+  account.certificate = certificate_out(result.report.certificate);
   account.operands = operands_out(operands, half_spaces, result.report);
   account.times = result.report.stages;
   account.graph = result.graph;

@@ -126,6 +126,28 @@ export interface RegionReport {
   area: number;
 }
 
+/** What was tested of the doubles of a result, and what it took to make them free of crossings. Lengths in units of the mesh. */
+export interface Certificate {
+  level: 'relative' | 'absolute';
+  /** With a vertex that was rounded; all of them for 'absolute'. */
+  trianglesTested: number;
+  pairsTested: number;
+  /** Pairs that cross because their sources did so in one operand; none of them is counted against 'relative'. */
+  inheritedPairs: number;
+  /** Triangles of the result not proven, ascending; empty when certified. */
+  failedTriangles: Uint32Array;
+  /** The farthest any point of the result may lie from its exact place. */
+  largestDisplacement: number;
+  /** The part of it that repair added; 0: every vertex the cut made is at its nearest doubles. */
+  repairDisplacement: number;
+  /** Rounds of repair: vertices merged; slivers swapped; operands as cut arranged again, some vertices moved to a grid. */
+  mergeRounds: number;
+  swapRounds: number;
+  snapRounds: number;
+  /** Vertices of operands that are in the result, but had to move. */
+  movedInputVertices: { operand: number; vertex: number }[];
+}
+
 /** Numbers about a mesh and the call that made it; the JSON report of the command has the same fields. */
 export interface Report {
   vertices: number;
@@ -156,6 +178,8 @@ export interface Report {
    * Of `inspect`: there is no crossing and no triangle without area.
    */
   certified: boolean;
+  /** Of a boolean: what `certified` stands on. Null for `inspect`. */
+  certificate: Certificate | null;
   operands: OperandReport[];
   stages: StageReport[];
   milliseconds: number;

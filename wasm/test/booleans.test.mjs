@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import process from 'node:process';
 import test from 'node:test';
 
-import { inspect, intersect, load, make, MeshError, subtract, transform, union } from 'mortise';
+import { inspect, intersect, load, make, MeshError, subtract, symmetricDifference, transform, union } from 'mortise';
 
 import { cube, meshError, soupOf } from './support.mjs';
 
@@ -155,7 +155,7 @@ test('the report has exactly the documented fields, in their order', async () =>
   const { report } = await union(cube(), cube(0.5));
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified operands stages milliseconds regions graph contact notes';
+    'selfIntersections certified certificate operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(report), fields.split(' '));
   assert.deepEqual(Object.keys(await inspect(cube())), fields.split(' '));
   assert.equal(report.certified, true);
@@ -283,4 +283,26 @@ test('an absolute certificate counts crossings an operand brought along', async 
   assert.ok(absolute.report.notes.some((note) => note.startsWith('absolute certificate: ')));
   assert.equal((await union(torus, beside, { certify: 'absolute' })).report.certified, true);
   await assert.rejects(union(torus, beside, { certify: true }), { code: 'INVALID_ARGUMENT' });
+});
+
+test('copies turned too little for doubles are snapped; the certificate says how, and which vertices moved', async () => {
+  const torus = await make('torus', { majorRadius: 1, minorRadius: 0.375, around: 12, across: 8 });
+  const ring = await transform(torus, [{ rotateX: 20 }, { rotateY: 31 }]);
+  const copy = await transform(ring, [{ rotateZ: 1e-10 }]);
+  const { mesh, report } = await symmetricDifference(ring, copy);
+  assert.equal(report.certified, true);
+  assert.equal(report.selfIntersections, 0);
+  const { certificate } = report;
+  assert.equal(certificate.level, 'relative');
+  assert.ok(certificate.snapRounds > 0 && certificate.trianglesTested > 0 && certificate.failedTriangles.length === 0);
+  assert.ok(certificate.repairDisplacement > 0 && certificate.repairDisplacement <= certificate.largestDisplacement);
+  assert.ok(certificate.largestDisplacement < 2 ** -22);
+  const places = new Set();
+  for (let v = 0; v < mesh.positions.length; v += 3) places.add(mesh.positions.slice(v, v + 3).join());
+  assert.ok(certificate.movedInputVertices.length > 0);
+  for (const { operand, vertex } of certificate.movedInputVertices) {
+    assert.ok(!places.has([ring, copy][operand].positions.slice(3 * vertex, 3 * vertex + 3).join()), 'it is where it was');
+  }
+  assert.ok(report.notes.some((note) => note.includes('rounds of snapping, which moved')));
+  assert.equal((await inspect(mesh)).certificate, null);
 });

@@ -118,13 +118,14 @@ test('the JSON report has exactly the documented fields', (t) => {
   const json = report(cwd, 'union', 'a.ply', 'b.obj', '-o', 'out.ply');
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified operands stages milliseconds regions graph contact notes';
+    'selfIntersections certified certificate operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(json), fields.split(' '));
   assert.deepEqual(json.regions, [{ id: 1, operands: [0, 1], volume: 1.875, area: 10.5 }]);
   mortise.writeMesh(join(cwd, 'c.ply'), cube(1 / 3, 1 / 3, 1 / 3));
   assert.deepEqual(Object.keys(report(cwd, 'union', 'a.ply', 'c.ply', '-o', 'out.stl')), fields.split(' '), 'of float32 files too');
   assert.deepEqual(Object.keys(json.graph), ['vertices', 'edges', 'closedLoops', 'openChains']);
   assert.deepEqual(Object.keys(json.contact), ['points', 'length', 'area']);
+  assert.deepEqual(json.certificate.failedTriangles, [], 'a list, as all typed arrays');
 });
 
 test('people get a table', (t) => {

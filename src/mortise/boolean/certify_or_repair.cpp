@@ -6,45 +6,25 @@
 #include <algorithm>
 
 #include "mortise/boolean/merge_close_vertices.h"
-#include "mortise/boolean/repair_reach.h"
 #include "mortise/boolean/swap_slivers.h"
 #include "mortise/mesh/find_self_crossings.h"
 
 namespace mortise {
-namespace {
 
-double reach_of_all(const SurfaceMesh& mesh) {
-  Box3 box;
-  for (const Vec3d& p : mesh.points) box.extend(p);
-  const Vec3d half_size = 0.5 * box.hi - 0.5 * box.lo;  // the whole size may overflow
-  return 2 * repair_reach(half_size);
-}
-
-void repair(const OperandFaces& faces, const Facets& facets, double least_reach, const ProgressCallback& progress, RoundedResult& result) {
-  auto& [merged, certified] = result;
-  constexpr int most_rounds = 8;
+RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, int most_rounds,
+                                const ProgressCallback& progress) {
+  merge_equal_vertices(faces, merged);
+  CertifiedMesh certified = certify(faces, facets, merged, progress);
   for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
     const std::uint32_t merges = certified.certificate.merge_rounds, swaps = certified.certificate.swap_rounds;
-    const bool is_merged = merge_close_vertices(faces, certified.failed, least_reach, merged);
-    if (!is_merged && !swap_slivers(certified.failed, least_reach, merged)) return;
+    const bool is_merged = merge_close_vertices(faces, certified.failed, 0, merged);
+    if (!is_merged && !swap_slivers(certified.failed, 0, merged)) break;
     certified = certify(faces, facets, merged, progress);
     certified.certificate.repair_displacement = merged.repair_displacement;
     certified.certificate.merge_rounds = merges + (is_merged ? 1 : 0);
     certified.certificate.swap_rounds = swaps + (is_merged ? 0 : 1);
   }
-}
-
-}  // namespace
-
-RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, const ProgressCallback& progress) {
-  merge_equal_vertices(faces, merged);
-  CertifiedMesh certified = certify(faces, facets, merged, progress);
-  RoundedResult result{std::move(merged), std::move(certified)};
-  repair(faces, facets, 0, progress, result);
-  if (result.certified.failed.empty()) return result;
-  RoundedResult coarser = result;
-  repair(faces, facets, reach_of_all(result.merged.mesh), progress, coarser);
-  return coarser.certified.failed.empty() ? coarser : result;
+  return {std::move(merged), std::move(certified)};
 }
 
 Certificate certify_all_pairs(const SurfaceMesh& mesh, Certificate relative) {

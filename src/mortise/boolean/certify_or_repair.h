@@ -12,11 +12,10 @@ struct RoundedResult {
   CertifiedMesh certified;
 };
 
-/// Certifies the doubles of a result. Where rounding folded it, repairs and certifies again as long as there is something to
-/// repair: within repair_reach at each place; what is left then, within that reach of the whole result, provided this ends in
-/// a certificate (exact-core 5, repair; docs/decisions/003).
+/// Certifies the doubles of a result. Where rounding folded it, merges and swaps within repair_reach, and certifies again as
+/// long as there is something to repair, in so many rounds (exact-core 5, repair a and b; docs/decisions/003).
 /// @throws Error{Cancelled}
-[[nodiscard]] RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged,
+[[nodiscard]] RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, int most_rounds,
                                               const ProgressCallback& progress);
 
 /// The certificate of a result raised to CertificateLevel::Absolute: all pairs of triangles are looked at, those also that the

@@ -16,6 +16,7 @@
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
 #include "mortise/boolean/refuse_operands.h"
+#include "mortise/boolean/repair_by_snapping.h"
 #include "mortise/boolean/simplify.h"
 #include "mortise/boolean/transfer_data.h"
 
@@ -137,34 +138,59 @@ std::vector<SheetOperand> sheets_of(const OperandList& operands, const OperandFa
   return sheets;
 }
 
-}  // namespace
+// Which selection, and how.
+struct Call {
+  std::string_view name;
+  const Selector& select;
+  const BooleanOptions& options;
+  bool is_repair;  // the operands have been accepted before
+};
 
-EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, const OperandList& operands,
-                                              const BooleanOptions& options) {
-  BooleanResult result;
+// Keeps what it takes to arrange again what the certificate could not prove. Facets behind the first ones were joined from these.
+void keep_for_repair(std::span<const SurfaceMesh* const> operands, const Arrangement& arrangement, std::size_t facet_count,
+                     const RoundedResult& rounded, EvaluatedSelection& evaluated) {
+  for (const std::uint32_t t : rounded.certified.certificate.failed_faces) {
+    for (const FacetSource& s : arrangement.facets.sources_of(rounded.merged.facet_of_triangle[t].facet)) {
+      evaluated.failed_faces.push_back(s.face);
+    }
+  }
+  if (evaluated.failed_faces.empty()) return;
+  Facets facets = arrangement.facets;
+  facets.corners.resize(facet_count);
+  facets.sources.resize(facets.first_source[FacetId(facet_count)]);
+  facets.first_source.resize(facet_count + 1);
+  evaluated.all_facets = merge(operands, evaluated.faces, facets, select_all(evaluated.faces, facets, arrangement.categories));
+}
+
+// From the faces of the operands to the result, without data.
+EvaluatedSelection evaluate_gathered(const Call& call, const OperandList& operands, OperandFaces&& gathered) {
+  const BooleanOptions& options = call.options;
+  EvaluatedSelection evaluated;
+  evaluated.faces = std::move(gathered);
+  OperandFaces& faces = evaluated.faces;
+  BooleanResult& result = evaluated.result;
   BooleanReport& report = result.report;
   std::vector<StageTime>& times = report.stages;
-  if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
-  report_progress(options.progress, "gather_operands", 0);
-  OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
-  std::vector<DataChannel> channels = join_channels(operands.meshes());
   mark_half_spaces(options.half_spaces, faces);
   Arrangement arrangement = arrange_sheets_and_solids(faces, options, times);
-  refuse_operands(operands.meshes(), faces, arrangement.categories);
+  if (!call.is_repair) refuse_operands(operands.meshes(), faces, arrangement.categories);
   report_progress(options.progress, "select", 0.75);
-  Selection selection = timed(times, "select", [&] { return select(faces, arrangement.facets, arrangement.categories); });
-  refuse_unbounded(name, faces, arrangement.facets, selection);
+  Selection selection = timed(times, "select", [&] { return call.select(faces, arrangement.facets, arrangement.categories); });
+  refuse_unbounded(call.name, faces, arrangement.facets, selection);
   result.graph = timed(times, "intersection_graph", [&] {
     return build_intersection_graph(faces, arrangement.map, arrangement.facets, arrangement.categories.patches);
   });
   report.contact = measure_contact(faces, arrangement.facets, result.graph);
+  const std::size_t facet_count = arrangement.facets.size();
   if (options.simplify != Simplify::Off) {
     const SimplifyRule rule{options.simplify, agreement_of_labels(operands.meshes(), faces), arrangement.map.contact_points};
     selection = timed(times, "simplify", [&] { return simplify(rule, faces, arrangement.facets, std::move(selection)); });
   }
   MergedMesh merged = timed(times, "merge", [&] { return merge(operands.meshes(), faces, arrangement.facets, selection); });
-  RoundedResult rounded =
-      timed(times, "certify", [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), options.progress); });
+  const int most_rounds = call.is_repair ? 2 : 8;
+  const auto certify = [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), most_rounds, options.progress); };
+  RoundedResult rounded = timed(times, "certify", certify);
+  keep_for_repair(operands.meshes(), arrangement, facet_count, rounded, evaluated);
   report.certificate = std::move(rounded.certified.certificate);
   if (options.certify == CertificateLevel::Absolute) {
     const auto certify_all = [&] { return certify_all_pairs(rounded.merged.mesh, std::move(report.certificate)); };
@@ -175,13 +201,49 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   report.sheets = sheets_of(operands, faces);
   result.mesh = std::move(rounded.merged.mesh);
   result.provenance = std::move(rounded.merged.provenance);
-  const std::vector<PointId>& points = rounded.merged.point_of_vertex;
-  if (!channels.empty()) {
-    const auto transfer = [&] { return transfer_to(result, {operands.meshes(), faces, points}, std::move(channels), options.progress); };
-    result.mesh.corner_data = timed(times, "transfer_data", transfer);
+  evaluated.point_of_vertex = std::move(rounded.merged.point_of_vertex);
+  return evaluated;
+}
+
+// The same for operands of a former arrangement, rounded: these are solids or sheets, crossing themselves where rounding folded them.
+EvaluatedSelection evaluate_cut_operands(const Call& call, std::span<const SurfaceMesh* const> operands) {
+  BooleanOptions options = call.options;
+  options.require_solids = false;
+  if (options.progress) options.progress = [&](std::string_view, double) { return call.options.progress("repair_by_snapping", 0.95); };
+  const OperandList list(operands);
+  OperandFaces faces = gather_operands(list);
+  for (std::size_t k = 0; k < faces.operand_count(); ++k) faces.self_contacts[OperandId(k)] = SelfContacts::All;
+  return evaluate_gathered({call.name, call.select, options, true}, list, std::move(faces));
+}
+
+}  // namespace
+
+EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, const OperandList& operands,
+                                              const BooleanOptions& options) {
+  if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
+  std::vector<StageTime> times;
+  report_progress(options.progress, "gather_operands", 0);
+  OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  std::vector<DataChannel> channels = join_channels(operands.meshes());
+  const Call call{name, select, options, false};
+  EvaluatedSelection evaluated = evaluate_gathered(call, operands, std::move(faces));
+  if (!evaluated.failed_faces.empty()) {
+    const auto again = [&](std::span<const SurfaceMesh* const> cut) { return evaluate_cut_operands(call, cut); };
+    timed(times, "repair_by_snapping", [&] {
+      repair_by_snapping(operands, again, evaluated);
+      return 0;
+    });
   }
+  if (!channels.empty()) {
+    const ExactOperands source{operands.meshes(), evaluated.faces, evaluated.point_of_vertex};
+    const auto transfer = [&] { return transfer_to(evaluated.result, source, std::move(channels), options.progress); };
+    evaluated.result.mesh.corner_data = timed(times, "transfer_data", transfer);
+  }
+  std::vector<StageTime>& stages = evaluated.result.report.stages;
+  stages.insert(stages.begin(), times.begin(), times.begin() + 1);
+  stages.insert(stages.end(), times.begin() + 1, times.end());
   report_progress(options.progress, "certify", 1);
-  return {std::move(result), std::move(faces), std::move(rounded.merged.point_of_vertex)};
+  return evaluated;
 }
 
 BooleanResult evaluate_selection(std::string_view name, const Selector& select, const OperandList& operands,

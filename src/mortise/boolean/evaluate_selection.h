@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/merge.h"
 #include "mortise/boolean/select.h"
 
 namespace mortise {
@@ -22,11 +23,13 @@ using Selector = std::function<Selection(const OperandFaces&, const Facets&, con
 [[nodiscard]] BooleanResult evaluate_selection(std::string_view name, const Selector& select, const OperandList& operands,
                                                const BooleanOptions& options);
 
-/// A result, and where its vertices are exactly.
+/// A result, and where its vertices are exactly; after repair_by_snapping these are the doubles.
 struct EvaluatedSelection {
   BooleanResult result;
   OperandFaces faces;
   std::vector<PointId> point_of_vertex;
+  std::vector<SourceId> failed_faces;  ///< that contain triangles without a (relative) certificate
+  MergedMesh all_facets;               ///< of the arrangement; only where there are such faces
 };
 
 /// The same for those who have more to ask of the arrangement.

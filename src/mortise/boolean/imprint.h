@@ -3,25 +3,14 @@
 // Operands split along their contacts, nothing removed (paper 5.2, Fig. 2f, 14).
 #pragma once
 
-#include <cstdint>
-#include <span>
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
+#include "mortise/boolean/imprinted_operand.h"
 
 namespace mortise {
 
-/// An operand after an imprint: the same surface, with the edges of all its contacts.
-struct ImprintedOperand {
-  SurfaceMesh mesh;                          ///< in the order of the faces; orientation, labels and their names as in the operand; its data
-  std::vector<std::uint32_t> vertex_ids;     ///< per vertex: its number in ImprintResult::whole, ascending
-  std::vector<std::uint32_t> facet_ids;      ///< per triangle: its number in ImprintResult::whole
-  std::vector<std::uint32_t> source_vertex;  ///< per vertex: the lowest vertex of the operand there; Provenance::none for a made one
-  std::vector<std::uint32_t> source_face;    ///< per triangle
-  std::vector<FacetCategory> category;       ///< per triangle, seen from this operand
-};
-
-/// Operands that share numbers.
+/// Operands that share numbers: those of `whole`.
 ///
 /// Vertices of two operands are one vertex when their `vertex_ids` are equal, edges when the ids of both ends are, triangles when
 /// their `facet_ids` are (they may run against each other). A model is glued by these: `whole.mesh` is the glued one, every

@@ -23,6 +23,15 @@ bool meets_other_operand(const OperandFaces& faces, const Facets& facets, std::s
   });
 }
 
+// Two facets that would be one piece of surface, did not the operand that names their front cross itself and run both ways.
+bool continue_each_other_turned(const OperandFaces& faces, const Facets& facets, std::span<const FacetAtEdge> around) {
+  if (around.size() != 2 || around[0].is_forward != around[1].is_forward) return false;
+  std::vector<Jump> turned = jumps_of(faces, facets, around[0].facet);
+  for (Jump& j : turned) j.change = -j.change;
+  return turned == jumps_of(faces, facets, around[1].facet) &&
+         walls_of(faces, facets, around[0].facet) == walls_of(faces, facets, around[1].facet);
+}
+
 // Points of the graph: ends of its edges, and contact points where facets of several operands meet but none coincide.
 std::vector<PointId> points_of_graph(const OperandFaces& faces, const FaceIntersectionMap& map, const Facets& facets,
                                      std::span<const std::array<PointId, 2>> edges) {
@@ -112,7 +121,8 @@ IntersectionGraph build_intersection_graph(const OperandFaces& faces, const Face
                                            const Patches& patches) {
   std::vector<std::array<PointId, 2>> edges;
   for (const Junction& j : patches.junctions) {
-    if (meets_other_operand(faces, facets, patches.facets_round(j))) edges.push_back({j.u, j.v});
+    const auto around = patches.facets_round(j);
+    if (meets_other_operand(faces, facets, around) && !continue_each_other_turned(faces, facets, around)) edges.push_back({j.u, j.v});
   }
   const std::vector<PointId> points = points_of_graph(faces, map, facets, edges);
   const auto number = [&](PointId p) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <compare>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -37,17 +38,25 @@ enum class CertificateLevel : std::uint8_t {
   Absolute,  ///< no two triangles of the result meet beyond what they share, and all have area
 };
 
+struct OperandVertex {
+  std::uint32_t operand = 0, vertex = 0;
+
+  auto operator<=>(const OperandVertex&) const = default;
+};
+
 struct Certificate {
   CertificateLevel level = CertificateLevel::Relative;
   CertificateStatus status = CertificateStatus::Certified;
-  std::uint64_t triangles_tested = 0;       ///< with a vertex that was rounded; all of them for CertificateLevel::Absolute
-  std::uint64_t pairs_tested = 0;           ///< of a triangle with such a vertex and another
-  std::uint64_t inherited_pairs = 0;        ///< that meet beyond what they share because their faces did so in one operand
-  double largest_displacement = 0;          ///< largest distance bound between an exact point and its doubles
-  double repair_displacement = 0;           ///< the part of it that repair added; 0: every made vertex is its nearest double
-  std::uint32_t merge_rounds = 0;           ///< of repair, in which vertices were merged
-  std::uint32_t swap_rounds = 0;            ///< of repair, in which slivers were swapped
-  std::vector<std::uint32_t> failed_faces;  ///< of the result, ascending; empty when certified
+  std::uint64_t triangles_tested = 0;               ///< with a vertex that was rounded; all of them for CertificateLevel::Absolute
+  std::uint64_t pairs_tested = 0;                   ///< of a triangle with such a vertex and another
+  std::uint64_t inherited_pairs = 0;                ///< that meet beyond what they share because their faces did so in one operand
+  double largest_displacement = 0;                  ///< largest distance bound between an exact point and its doubles
+  double repair_displacement = 0;                   ///< the part of it that repair added; 0: every made vertex is its nearest double
+  std::uint32_t merge_rounds = 0;                   ///< of repair, in which vertices were merged
+  std::uint32_t swap_rounds = 0;                    ///< of repair, in which slivers were swapped
+  std::uint32_t snap_rounds = 0;                    ///< of repair, in which the rounded operands were arranged again
+  std::vector<OperandVertex> moved_input_vertices;  ///< that had to move for this and are still in the result, ascending
+  std::vector<std::uint32_t> failed_faces;          ///< of the result, ascending; empty when certified
 };
 
 struct StageTime {

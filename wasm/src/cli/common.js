@@ -113,6 +113,15 @@ export function send({ file }, bytes, streams) {
 }
 
 /**
+ * Typed arrays are lists in JSON.
+ * @param {string} _
+ * @param {unknown} value
+ */
+function asLists(_, value) {
+  return value instanceof Uint32Array ? [...value] : value;
+}
+
+/**
  * Prints a report: on the standard output, or on the standard error when the mesh goes to the standard output.
  * @param {Report} report
  * @param {[string, string]} title
@@ -121,7 +130,7 @@ export function send({ file }, bytes, streams) {
  */
 export function printReport(report, title, { values }, streams) {
   if (values.quiet) return;
-  const text = values.json ? `${JSON.stringify(report, null, 2)}\n` : reportText(report, title);
+  const text = values.json ? `${JSON.stringify(report, asLists, 2)}\n` : reportText(report, title);
   if (values.output === '-') streams.err(text);
   else streams.out(text);
 }

@@ -32,9 +32,9 @@ export function storedResult(mortise, { mesh, report, provenance }, format) {
   const isSame = found.triangles === report.triangles && found.vertices === report.vertices;
   const certified = found.certified && (isPartition ? isSame : found.closed === report.closed);
   const note = certified ? 'certified is about the float32 coordinates the file stores' : lostNote(report, found);
-  const { operands, milliseconds, regions, graph, contact } = report;
+  const { certificate, operands, milliseconds, regions, graph, contact } = report;
   const stages = [...report.stages, { stage: 'round_to_float32', milliseconds: found.milliseconds }];
-  return { mesh: stored, report: { ...found, certified, operands, stages, milliseconds, regions, graph, contact, notes: [...report.notes, ...found.notes, note] } };
+  return { mesh: stored, report: { ...found, certified, certificate, operands, stages, milliseconds, regions, graph, contact, notes: [...report.notes, ...found.notes, note] } };
 }
 
 /** @param {Report} report @param {Report} found */
