@@ -33,9 +33,14 @@ SurfaceMesh labelled(SurfaceMesh mesh, const char* name) {
   return mesh;
 }
 
+AffineMap random_pose(RandomSource& random) {
+  const double y = random.between(0, 360), x = random.between(0, 360);
+  return compose(rotation(Axis::X, x), rotation(Axis::Y, y));
+}
+
 std::vector<SurfaceMesh> ring_and_copy(std::uint64_t seed) {
   RandomSource random(seed);
-  const AffineMap pose = compose(rotation(Axis::X, random.between(0, 360)), rotation(Axis::Y, random.between(0, 360)));
+  const AffineMap pose = random_pose(random);
   const SurfaceMesh ring = transform(make_torus(1, 0.375, 12, 8), pose);
   const double radians = std::pow(10.0, -10 - static_cast<int>(random.below(6)));
   return {labelled(ring, "ring"), labelled(transform(ring, rotation(Axis::Z, trig::to_degrees(radians))), "copy")};
@@ -156,7 +161,7 @@ TEST_CASE("a sheet next to a face of a solid is cut, and certified, after snappi
   for (std::uint64_t seed = 1; snapped < enough && seed <= 10000; ++seed) {
     INFO("seed " << seed);
     RandomSource random(seed);
-    const AffineMap pose = compose(rotation(Axis::X, random.between(0, 360)), rotation(Axis::Y, random.between(0, 360)));
+    const AffineMap pose = random_pose(random);
     const SurfaceMesh sheet = transform(make_grid_sheet(3, 3, 5, 5), pose);
     const SurfaceMesh solid = transform(make_torus(1, 0.375, 12, 8), compose(pose, rotation(Axis::X, 1e-14)));
     for (const Operation operation : {Operation::Union, Operation::Intersect, Operation::Partition}) {
