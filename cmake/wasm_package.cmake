@@ -6,18 +6,18 @@
 # fast they are.
 set(mortise_light_sources
     boolean/certify_or_repair boolean/cut_by_sheets boolean/evaluate_boolean boolean/evaluate_expression boolean/expression
-    boolean/facet_sources boolean/implant boolean/imprint boolean/imprinted_operand
+    boolean/facet_sources boolean/given_operands boolean/implant boolean/imprint boolean/imprinted_operand
     boolean/join_coincident boolean/keep_faces boolean/keep_triangles boolean/merge_close_vertices boolean/moved_shells boolean/operation
-    boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/stacked_triangles
-    boolean/swap_slivers
-    io/formats io/ply_header
+    boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/share_within_tolerance boolean/simplify
+    boolean/shared_edges boolean/stacked_triangles boolean/swap_slivers boolean/triangulate_shared_faces
+    io/formats io/obj_data io/off io/ply_data io/ply_header
     mesh/corners_to_vertices mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/group_by_label mesh/half_space
     mesh/order_round_edge mesh/orient_faces mesh/repair
     mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/split_pinches
     mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners)
 list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
 list(TRANSFORM mortise_light_sources APPEND ".cpp")
-set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Os)
+set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Oz)
 
 set(MORTISE_WASM_DIST "${CMAKE_CURRENT_SOURCE_DIR}/wasm/dist" CACHE PATH "Where glue.mjs and core.wasm go")
 file(GLOB wasm_binding_sources CONFIGURE_DEPENDS "${CMAKE_CURRENT_SOURCE_DIR}/wasm/bindings/*.cpp")

@@ -95,14 +95,22 @@ function storedOperands(folder) {
 
 const functionNames = { symmetric_difference: 'symmetricDifference' };
 
-/** @param {string} word "union", "combine:(a|b)&!c", "keep:10,same" */
+/** @param {string[]} settings "tolerance=1e-7", "simplify=cut", "coordinates=float32" */
+function optionsOf(settings) {
+  const pairs = settings.map((setting) => setting.split('='));
+  return Object.fromEntries(pairs.map(([name, value]) => [name, name === 'tolerance' ? Number(value) : value]));
+}
+
+/** @param {string} word "union", "combine:(a|b)&!c", "keep:10,same", "union@tolerance=1e-7@simplify=cut" */
 function evaluateWord(word, operands) {
-  const [kind, text] = word.split(':');
-  if (kind === 'combine') return mortise.combine(text, operands);
-  if (kind === 'keep') return mortise.keep(text.split(','), operands);
-  if (kind === 'implant') return mortise.implant(operands, { contact: text });
-  if (kind === 'resolve') return mortise.resolve(operands[0]);
-  return mortise[functionNames[word] ?? word](operands);
+  const [operation, ...settings] = word.split('@');
+  const [kind, text] = operation.split(':');
+  const options = optionsOf(settings);
+  if (kind === 'combine') return mortise.combine(text, operands, options);
+  if (kind === 'keep') return mortise.keep(text.split(','), operands, options);
+  if (kind === 'implant') return mortise.implant(operands, { ...options, contact: text });
+  if (kind === 'resolve') return mortise.resolve(operands[0], options);
+  return mortise[functionNames[kind] ?? kind](operands, options);
 }
 
 /** The arrays of an operand after an imprint. */

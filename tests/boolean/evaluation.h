@@ -37,7 +37,7 @@ struct MergedScene : Evaluation {
   MergedScene(Operation operation, std::vector<SurfaceMesh> meshes, const std::vector<std::size_t>& self = {})
       : Evaluation(std::move(meshes), self),
         selection(select(operation, faces, facets, categories)),
-        merged(merge(pointers_to(operands), faces, facets, selection)) {}
+        merged(merge(pointers_to(operands), faces, facets, selection, Coordinates::Float64)) {}
 
   const Selection selection;
   MergedMesh merged;

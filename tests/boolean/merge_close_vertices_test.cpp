@@ -53,7 +53,7 @@ struct Repair {
   explicit Repair(const SurfaceMesh& mesh, std::size_t inputs = 8)
       : faces(points_only(inputs, mesh.points.size())), merged(merged_of(mesh, inputs, faces)), failed(all_failed(mesh)) {}
 
-  bool run(double how_far = reach) { return merge_close_vertices(faces, failed, how_far, merged); }
+  bool run(double how_far = reach) { return merge_close_vertices(faces, failed, {reach, how_far}, merged); }
 
   OperandFaces faces;
   MergedMesh merged;
@@ -75,7 +75,7 @@ TEST_CASE("a made vertex next to an input vertex becomes it, and the triangles b
 
 TEST_CASE("made vertices on the same doubles become one without any failure, input vertices are left alone") {
   Repair repair(split_box({0.25, 0.25, 0}));
-  merge_equal_vertices(repair.faces, repair.merged);
+  merge_equal_vertices(repair.faces, Coordinates::Float64, repair.merged);
   CHECK(fault_of(repair.merged) == "");
   CHECK(repair.merged.mesh.points.size() == 10);  // the one at 0 and the corner are not both made
   CHECK(repair.merged.mesh.triangles.size() == 16);
@@ -84,7 +84,7 @@ TEST_CASE("made vertices on the same doubles become one without any failure, inp
 
 TEST_CASE("where no made vertices are on the same doubles, nothing is repaired") {
   Repair repair(split_box({0.25, 0.5}));
-  merge_equal_vertices(repair.faces, repair.merged);
+  merge_equal_vertices(repair.faces, Coordinates::Float64, repair.merged);
   CHECK(repair.merged.mesh.points.size() == 10);
   CHECK(repair.merged.facets_before_repair.empty());
 }
@@ -206,7 +206,7 @@ TEST_CASE("results of random solids stay balanced whatever is merged, and no inp
     }
     const std::size_t before = merged.mesh.points.size();
     const double how_far = 0.5 + random.below(3);
-    if (!merge_close_vertices(scene.faces, failed, how_far, merged)) continue;
+    if (!merge_close_vertices(scene.faces, failed, {reach, how_far}, merged)) continue;
     ++merges;
     CHECK(fault_of(merged) == "");
     CHECK(merged.mesh.points.size() < before);

@@ -9,6 +9,7 @@
 
 #include "mortise/mesh/shapes.h"
 #include "mortise/mesh/transform.h"
+#include "support/boolean_oracle.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
 #include "support/mesh_checks.h"
@@ -30,6 +31,18 @@ TEST_CASE("A box has its volume and area exactly", "[mesh][measures]") {
   CHECK(enclosed_volume(test::inside_out(box)) == -6);
   CHECK(bounding_box(box).lo == Vec3d{1, 2, 3});
   CHECK(bounding_box(box).hi == Vec3d{2, 4, 6});
+}
+
+TEST_CASE("The volume of a needle has its exact sign, and is as accurate as any", "[mesh][measures]") {
+  // Points on a line, but for the rounding of their coordinates: the volume is below what double-double can tell from zero.
+  const Vec3d a{0.1, 0.2, 0.3}, b{1.1, 0.7, 0.9};
+  for (int i = 1; i < 20; ++i) {
+    const SurfaceMesh needle = test::tetrahedron(a, a + (i / 47.0) * (b - a), a + (i / 21.0) * (b - a), b);
+    const double exact = oracle::nearest_double(oracle::volume(needle));
+    CHECK(std::fabs(exact) < 1e-31);
+    CHECK(std::fabs(enclosed_volume(needle) - exact) <= 0x1p-50 * std::fabs(exact));
+    CHECK(enclosed_volume(test::joined({needle, test::inside_out(needle)})) == 0);
+  }
 }
 
 TEST_CASE("The volume is that of the exact sum, also in map coordinates", "[mesh][measures]") {

@@ -12,7 +12,10 @@
 #include <map>
 #include <sstream>
 
+#include "mortise/boolean/evaluate_expression.h"
+#include "mortise/boolean/implant.h"
 #include "mortise/boolean/imprint.h"
+#include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/measures.h"
 #include "support/boolean_checks.h"
@@ -173,6 +176,75 @@ class CaseCheck {
     check_simplified(all, either, first_less);
     check_partition(either);
     check_imprint();
+    const bool is_slow = all.report.certificate.snap_rounds > 0 && faces_ > 1000;  // seconds each
+    if (!is_slow) check_other_words(all);
+    if (!is_slow) check_prepared(all);
+    if (!is_slow) check_absolute();
+    check_float32(either);
+    check_tolerance(either);
+  }
+
+  // The same facets, asked for in other words.
+  void check_other_words(const BooleanResult& all) {
+    std::string letters = "a";
+    for (std::size_t k = 1; k < operands_.size(); ++k) letters += std::string("|") + static_cast<char>('a' + k);
+    expect_bits(evaluate_expression(letters, operands_, guarded()), all, "an expression");
+    expect_bits(implant(operands_, ImplantContact::Drop, guarded()), all, "an implant without contact faces");
+    const auto outside = static_cast<KeepMask>(KeepTag::FirstOutside), others = static_cast<KeepMask>(KeepTag::OtherOutside);
+    const auto same = static_cast<KeepMask>(KeepTag::OnSame);
+    const BooleanResult kept = keep_faces(static_cast<KeepMask>(outside | others | same), operands_, guarded());
+    const bool is_as_rounded = !is_uncertified(kept) && kept.report.certificate.repair_displacement == 0 && !is_uncertified(all) &&
+                               all.report.certificate.repair_displacement == 0;
+    if (is_as_rounded && operands_.size() == 2 && !crosses_itself_ && kept.mesh.triangles.size() != all.mesh.triangles.size())
+      add_fault("faces kept by tags are not those of the union");
+    const BooleanResult implanted = implant(operands_, ImplantContact::Keep, guarded());
+    if (!is_uncertified(implanted) && !crosses_itself_ && is_small_and_crosses(implanted.mesh))
+      add_fault("certified implant crosses itself");
+  }
+
+  void check_prepared(const BooleanResult& all) {
+    std::vector<PreparedOperand> prepared;
+    for (const SurfaceMesh* operand : operands_) prepared.emplace_back(*operand);
+    const std::vector<Operand> operands(prepared.begin(), prepared.end());
+    expect_bits(evaluate_boolean(Operation::Union, operands, guarded()), all, "prepared operands");
+  }
+
+  // The level says more, the mesh is the same.
+  void check_absolute() {
+    BooleanOptions options = guarded();
+    options.certify = CertificateLevel::Absolute;
+    const BooleanResult result = evaluate_boolean(Operation::Subtract, operands_, options);
+    if (!is_uncertified(result) && is_small_and_crosses(result.mesh)) add_fault("absolutely certified, but crosses itself");
+  }
+
+  void check_float32(const Measure& either) {
+    BooleanOptions options = guarded();
+    options.coordinates = Coordinates::Float32;
+    try {
+      const BooleanResult result = evaluate_boolean(Operation::Union, operands_, options);
+      if (is_uncertified(result)) return;
+      if (!is_balanced(result.mesh)) add_fault("a float32 union is not closed");
+      if (!crosses_itself_ && is_small_and_crosses(result.mesh)) add_fault("certified float32 union crosses itself");
+      expect_equal(measure(result), either, "float32 union = union");
+    } catch (const Error& error) {
+      if (error.code != ErrorCode::OutOfRange || coordinate_ < 0x1p127) throw;
+    }
+  }
+
+  // Points of faces move by twice the tolerance at most.
+  void check_tolerance(const Measure& either) {
+    BooleanOptions options = guarded();
+    options.tolerance = std::ldexp(coordinate_, -18);
+    const BooleanResult result = evaluate_boolean(Operation::Union, operands_, options);
+    if (!is_balanced(result.mesh)) add_fault("a union with a tolerance is not closed");
+    if (result.report.tolerance.largest_move > options.tolerance) add_fault("a vertex moved farther than the tolerance");
+    if (is_uncertified(result) || !result.report.tolerance.unresolved.empty() || crosses_itself_) return;
+    if (is_small_and_crosses(result.mesh)) add_fault("certified union with a tolerance crosses itself");
+    Measure measured = measure(result);
+    double area = surface_area(scaled(result.mesh, unit_));
+    for (const SurfaceMesh* operand : operands_) area += surface_area(scaled(*operand, unit_));
+    measured.tolerance += 2 * area * unit_ * options.tolerance;
+    expect_equal(measured, either, "union with a tolerance = union");
   }
 
   // The same solid on no more triangles; under Simplify::Coplanar all operands are alike.
@@ -307,6 +379,11 @@ class CaseCheck {
     std::ostringstream text;
     text << identity << " is off by " << difference.volume << ", allowed " << difference.tolerance;
     add_fault(text.str());
+  }
+
+  void expect_bits(const BooleanResult& result, const BooleanResult& expected, const std::string& name) {
+    if (result.mesh.points != expected.mesh.points || result.mesh.triangles != expected.mesh.triangles)
+      add_fault(name + " has not the bits of the union");
   }
 
   void expect_same(const BooleanResult& forwards, const BooleanResult& backwards, const std::string& name) {

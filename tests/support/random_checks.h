@@ -17,7 +17,8 @@ struct CaseOutcome {
 };
 
 /// Evaluates the union, the intersection and both subtractions of a case, and what the identities need besides; the union and the
-/// subtraction simplified, the symmetric difference, the partition and the imprint.
+/// subtraction simplified, the symmetric difference, the partition and the imprint; the union as an expression, an implant and by
+/// tags, of prepared operands, with float32 coordinates and with a tolerance; a subtraction certified absolutely.
 ///
 /// For all: arrays, balanced edges, the order of operands, inclusion and exclusion of volumes, no error. Where the result is
 /// certified and not large: no crossing by the oracle. Where operands are small: provenance in rationals and the oracle's

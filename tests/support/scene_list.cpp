@@ -3,6 +3,7 @@
 // Reads lists of scenes and makes their operands.
 #include "support/scene_list.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -108,6 +109,25 @@ std::vector<double> numbers_of(const std::vector<std::string>& words, std::size_
   return numbers;
 }
 
+/// @param text  "@tolerance=1e-7@simplify=cut", or nothing
+BooleanOptions options_of(const std::string& text) {
+  BooleanOptions options;
+  if (text.empty()) return options;
+  for (const std::string& setting : split(text.substr(1), '@')) {
+    const std::size_t equals = std::min(setting.find('='), setting.size() - 1);
+    const std::string name = setting.substr(0, equals), value = setting.substr(equals + 1);
+    if (name == "tolerance")
+      options.tolerance = std::strtod(value.c_str(), nullptr);
+    else if (setting == "coordinates=float32")
+      options.coordinates = Coordinates::Float32;
+    else if (name == "simplify" && (value == "cut" || value == "coplanar"))
+      options.simplify = value == "cut" ? Simplify::Cut : Simplify::Coplanar;
+    else
+      throw std::invalid_argument("no option is called " + setting);
+  }
+  return options;
+}
+
 }  // namespace
 
 std::vector<ListedScene> read_scene_list(const std::string& path) {
@@ -129,16 +149,19 @@ std::vector<ListedScene> read_scene_list(const std::string& path) {
 
 std::vector<ListedScene> listed_scenes() { return read_scene_list(repository_path("tests/scenes.txt")); }
 
-BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands) {
-  if (word == "imprint") return imprint(operands).whole;
-  if (word == "implant") return implant(operands);
-  if (word == "resolve") return resolve(*operands.front());
+BooleanResult evaluate_word(const std::string& whole_word, std::span<const SurfaceMesh* const> operands) {
+  const std::size_t at = std::min(whole_word.find('@'), whole_word.size());
+  const std::string word = whole_word.substr(0, at);
+  const BooleanOptions options = options_of(whole_word.substr(at));
+  if (word == "imprint") return imprint(operands, options).whole;
+  if (word == "implant") return implant(operands, ImplantContact::Keep, options);
+  if (word == "resolve") return resolve(*operands.front(), options);
   const std::size_t colon = word.find(':');
-  if (colon == std::string::npos) return evaluate_boolean(operation_from_name(word), operands);
+  if (colon == std::string::npos) return evaluate_boolean(operation_from_name(word), operands, options);
   const std::string kind = word.substr(0, colon), text = word.substr(colon + 1);
-  if (kind == "combine") return evaluate_expression(text, operands);
-  if (kind == "keep") return keep_faces(keep_mask(split(text, ',')), operands);
-  if (kind == "implant" && text == "drop") return implant(operands, ImplantContact::Drop);
+  if (kind == "combine") return evaluate_expression(text, operands, options);
+  if (kind == "keep") return keep_faces(keep_mask(split(text, ',')), operands, options);
+  if (kind == "implant" && text == "drop") return implant(operands, ImplantContact::Drop, options);
   throw std::invalid_argument("no operation is called " + kind);
 }
 

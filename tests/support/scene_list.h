@@ -36,7 +36,7 @@ struct ListedScene {
 /// The scenes of this repository: tests/scenes.txt in the current folder or above it.
 [[nodiscard]] std::vector<ListedScene> listed_scenes();
 
-/// What the word of an evaluation says, done with these operands.
+/// What the word of an evaluation says, with its options, done with these operands.
 [[nodiscard]] BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands);
 
 /// The words of a scene without evaluations of its own.

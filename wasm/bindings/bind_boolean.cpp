@@ -77,12 +77,15 @@ Operands operands_in(const val& array) {
   return operands;
 }
 
-/// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids, simplify, certify}
+/// @param settings  {listener: (stage, fraction) -> go on? or undefined, requireSolids, simplify, certify, coordinates, tolerance,
+///                  contactMemory}
 BooleanOptions options_in(const val& settings) {
   BooleanOptions options;
-  options.contact_memory = std::uint64_t{1} << 30;  // twice as much has no room in 4 GB while the list grows
+  options.contact_memory = static_cast<std::uint64_t>(settings["contactMemory"].as<double>());
+  options.tolerance = settings["tolerance"].as<double>();
   options.require_solids = settings["requireSolids"].as<bool>();
   if (settings["certify"].as<std::string>() == "absolute") options.certify = CertificateLevel::Absolute;
+  if (settings["coordinates"].as<std::string>() == "float32") options.coordinates = Coordinates::Float32;
   const std::string simplify = settings["simplify"].as<std::string>();
   options.simplify = simplify == "cut" ? Simplify::Cut : simplify == "coplanar" ? Simplify::Coplanar : Simplify::Off;
   const val listener = settings["listener"];
@@ -158,7 +161,7 @@ val result_out(const Called& call, const BooleanResult& result) {
   val object = val::object();
   object.set("mesh", mesh_out(result.mesh));
   const ResultRegions regions = find_result_regions(result);
-  object.set("report", boolean_report_out(call.operands.meshes(), call.options.half_spaces, result, regions, call.search));
+  object.set("report", boolean_report_out({call.operands.meshes(), call.options, result, regions}, call.search));
   object.set("graph", graph_out(result.graph));
   object.set("provenance", provenance_out(result.provenance, regions));
   return object;

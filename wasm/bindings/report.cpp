@@ -131,12 +131,13 @@ std::string repair_note(const Certificate& certificate) {
   return moved == 0 ? note : note + ", which moved " + std::to_string(moved) + " vertices of operands";
 }
 
-std::string certificate_note(const Certificate& certificate) {
+std::string certificate_note(const Certificate& certificate, Coordinates coordinates) {
   const bool is_absolute = certificate.level == CertificateLevel::Absolute;
   const std::string triangles = std::to_string(certificate.triangles_tested), pairs = std::to_string(certificate.pairs_tested);
+  const std::string subject = coordinates == Coordinates::Float32 ? "certificate of float32 coordinates: " : "certificate: ";
   const std::string tested = is_absolute
-                                 ? "absolute certificate: all " + triangles + " triangles tested against one another"
-                                 : "relative certificate: " + triangles + " triangles with rounded vertices tested in " + pairs + " pairs";
+                                 ? "absolute " + subject + "all " + triangles + " triangles tested against one another"
+                                 : "relative " + subject + triangles + " triangles with rounded vertices tested in " + pairs + " pairs";
   const std::string moved = ", largest displacement " + format_double(certificate.largest_displacement) + repair_note(certificate);
   if (certificate.status == CertificateStatus::Certified) return tested + moved;
   const std::string failed = "; " + std::to_string(certificate.failed_faces.size());
@@ -166,6 +167,22 @@ val certificate_out(const Certificate& certificate) {
   return object;
 }
 
+val tolerance_out(const ToleranceReport& report) {
+  const auto face_out = [](const OperandFace& f) {
+    val pair = val::object();
+    pair.set("operand", f.operand);
+    pair.set("face", f.face);
+    return pair;
+  };
+  val object = val::object();
+  object.set("movedVertices", count_out(report.moved_vertices));
+  object.set("madeVertices", count_out(report.made_vertices));
+  object.set("largestMove", report.largest_move);
+  object.set("collapsed", list_out(report.collapsed, face_out));
+  object.set("unresolved", list_out(report.unresolved, face_out));
+  return object;
+}
+
 /// Ids begin with 1: 0 is the space outside.
 val regions_out(const std::vector<ResultRegion>& regions) {
   val array = val::array();
@@ -184,6 +201,7 @@ val regions_out(const std::vector<ResultRegion>& regions) {
 struct Account {
   bool certified = false;
   val certificate = val::null();
+  val tolerance = val::null();
   val operands = val::array();
   std::vector<StageTime> times;
   std::vector<ResultRegion> regions;
@@ -206,6 +224,7 @@ val report_out(const MeshReport& report, Search search, const Account& account) 
   val object = mesh_report_out(report, search);
   object.set("certified", account.certified);
   object.set("certificate", account.certificate);
+  object.set("tolerance", account.tolerance);
   object.set("operands", account.operands);
   object.set("stages", list_out(account.times, stage_out));
   object.set("milliseconds", 0);
@@ -229,12 +248,13 @@ val inspection_out(const SurfaceMesh& mesh) {
   return report_out(report, Search::SelfIntersections, account);
 }
 
-val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<const std::size_t> half_spaces, const BooleanResult& result,
-                       const ResultRegions& regions, Search search) {
+val boolean_report_out(const EvaluatedCall& call, Search search) {
+  const BooleanResult& result = call.result;
   Account account;
   account.certified = result.report.certificate.status == CertificateStatus::Certified;
   account.certificate = certificate_out(result.report.certificate);
-  account.operands = operands_out(operands, half_spaces, result.report);
+  if (call.options.tolerance > 0) account.tolerance = tolerance_out(result.report.tolerance);
+  account.operands = operands_out(call.operands, call.options.half_spaces, result.report);
   account.times = result.report.stages;
   account.graph = result.graph;
   account.contact = result.report.contact;
@@ -243,14 +263,15 @@ val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<c
     account.notes.push_back("operand " + std::to_string(sheet.operand) + " is a sheet: it has " +
                             std::to_string(sheet.open_edges.size() / 2) + " open edges");
   }
-  account.notes.push_back(certificate_note(result.report.certificate));
+  account.notes.push_back(certificate_note(result.report.certificate, call.options.coordinates));
   note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
-  account.regions = regions.regions;
-  for (const std::uint32_t k : find_idle_sheets(result, regions)) {
+  note_if(account.notes, result.report.tolerance.unresolved.size(), "faces could not share all that is within the tolerance");
+  account.regions = call.regions.regions;
+  for (const std::uint32_t k : find_idle_sheets(result, call.regions)) {
     account.notes.push_back("operand " + std::to_string(k) + " ends inside a region: it divides nothing there");
   }
   MeshReport report = inspect_into(result.mesh, search, account);
-  correct_by_regions(result, regions, report);
+  correct_by_regions(result, call.regions, report);
   return report_out(report, search, account);
 }
 

@@ -7,7 +7,7 @@
 
 #include <span>
 
-#include "mortise/boolean/result.h"
+#include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/mesh/surface_mesh.h"
 
@@ -19,9 +19,15 @@ namespace mortise::wasm {
 /// Whether the triangles of a result are searched for self-intersections; if not, the report says null.
 enum class Search { SelfIntersections, Nothing };
 
+/// A boolean: what it was asked, and its answer.
+struct EvaluatedCall {
+  std::span<const SurfaceMesh* const> operands;
+  const BooleanOptions& options;
+  const BooleanResult& result;
+  const ResultRegions& regions;
+};
+
 /// The report on a boolean. `milliseconds` is left to the caller.
-/// @param half_spaces  positions of operands
-[[nodiscard]] emscripten::val boolean_report_out(std::span<const SurfaceMesh* const> operands, std::span<const std::size_t> half_spaces,
-                                                 const BooleanResult& result, const ResultRegions& regions, Search search);
+[[nodiscard]] emscripten::val boolean_report_out(const EvaluatedCall& call, Search search);
 
 }  // namespace mortise::wasm

@@ -266,6 +266,39 @@ export function checkCertify({ certify = 'relative' }) {
 }
 
 /**
+ * What coordinates does the result have?
+ * @param {{ coordinates?: unknown }} options
+ * @returns {'float64' | 'float32'}
+ */
+export function checkCoordinates({ coordinates = 'float64' }) {
+  if (coordinates !== 'float64' && coordinates !== 'float32')
+    throw invalidArgument(`coordinates must be 'float64' or 'float32', not ${describe(coordinates)}`);
+  return coordinates;
+}
+
+/**
+ * A length.
+ * @param {{ tolerance?: unknown }} options
+ */
+export function checkTolerance({ tolerance = 0 }) {
+  if (typeof tolerance !== 'number' || !(tolerance >= 0 && tolerance < Infinity)) throw invalidArgument(`tolerance must be a length, 0 or more, not ${describe(tolerance)}`);
+  return tolerance;
+}
+
+/** Twice as much has no room in 4 GB while a list grows. */
+const mostContactMemory = 2 ** 30;
+
+/**
+ * Bytes.
+ * @param {{ contactMemory?: unknown }} options
+ */
+export function checkContactMemory({ contactMemory = mostContactMemory }) {
+  if (typeof contactMemory !== 'number' || !(contactMemory >= 0 && contactMemory <= mostContactMemory))
+    throw invalidArgument(`contactMemory must be a number of bytes up to 2 ** 30, not ${describe(contactMemory)}`);
+  return Math.floor(contactMemory);
+}
+
+/**
  * Splits (a, b, ..., options?) or ([a, b, ...], options?) into operands and options.
  * @param {any[]} args
  * @param {string} operation

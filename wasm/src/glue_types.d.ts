@@ -42,6 +42,9 @@ export interface BooleanSettings {
   requireSolids: boolean;
   simplify: 'off' | 'cut' | 'coplanar';
   certify: 'relative' | 'absolute';
+  coordinates: 'float64' | 'float32';
+  tolerance: number;
+  contactMemory: number;
 }
 
 export interface Core {

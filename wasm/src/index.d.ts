@@ -148,6 +148,20 @@ export interface Certificate {
   movedInputVertices: { operand: number; vertex: number }[];
 }
 
+/** What it took to let operands share what lay within the tolerance. Lengths in units of the mesh. */
+export interface ToleranceReport {
+  /** Vertices of operands that went to the place of another one. */
+  movedVertices: number;
+  /** Vertices added where edges passed one another. */
+  madeVertices: number;
+  /** The farthest a vertex moved; at most the tolerance. */
+  largestMove: number;
+  /** Triangles of operands whose corners became two or one. */
+  collapsed: { operand: number; face: number }[];
+  /** Triangles of operands that could not share all that is near. */
+  unresolved: { operand: number; face: number }[];
+}
+
 /** Numbers about a mesh and the call that made it; the JSON report of the command has the same fields. */
 export interface Report {
   vertices: number;
@@ -180,6 +194,8 @@ export interface Report {
   certified: boolean;
   /** Of a boolean: what `certified` stands on. Null for `inspect`. */
   certificate: Certificate | null;
+  /** Null but for a boolean with a `tolerance`. */
+  tolerance: ToleranceReport | null;
   operands: OperandReport[];
   stages: StageReport[];
   milliseconds: number;
@@ -274,6 +290,18 @@ export interface BooleanOptions {
    * triangles of the result meet beyond what they share, and all have area; crossings an operand brought along make it false.
    */
   certify?: 'relative' | 'absolute';
+  /**
+   * 'float32': every coordinate of the result is one a float32 holds, and what is certified are these: for STL, GLB and graphics cards. What
+   * this rounding folds is repaired as well. Default 'float64'.
+   */
+  coordinates?: 'float64' | 'float32';
+  /**
+   * A length in the unit of the coordinates; default 0. Operands that are as near as this are made to share: vertices become one, vertices are
+   * put into edges and faces, edges that pass get a common vertex, faces on one another get the same triangles. No vertex moves farther.
+   */
+  tolerance?: number;
+  /** Bytes that the list of faces which may touch can take, before the call fails with RESULT_TOO_LARGE. Default, and at most: 2 ** 30. */
+  contactMemory?: number;
 }
 
 /** An operand after an imprint; pass it on as a mesh. Equal ids are one vertex, or coinciding triangles, of several operands. */

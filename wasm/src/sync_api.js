@@ -6,6 +6,8 @@
 import {
   checkCertify,
   checkContact,
+  checkContactMemory,
+  checkCoordinates,
   checkInspect,
   checkKind,
   checkMesh,
@@ -14,6 +16,7 @@ import {
   checkOptions,
   checkProgress,
   checkSimplify,
+  checkTolerance,
   describe,
   splitOperands,
 } from './arguments.js';
@@ -136,7 +139,7 @@ function guardProgress(progress) {
 }
 
 /** What every boolean takes. */
-const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify', 'certify'];
+const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify', 'certify', 'coordinates', 'tolerance', 'contactMemory'];
 
 /**
  * @template {import('./index.js').BooleanResult} Result
@@ -155,7 +158,16 @@ function evaluateWith(session, call, { operands, options }) {
   const meshes = operands.map((/** @type {unknown} */ operand, /** @type {number} */ i) => check(operand, `operand ${i}`));
   const checked = checkOptions(options, booleanOptions);
   const { report, state } = guardProgress(checkProgress(checked));
-  const settings = { listener: report, inspect: checkInspect(checked), requireSolids: checkKind(checked), simplify: checkSimplify(checked), certify: checkCertify(checked) };
+  const settings = {
+    listener: report,
+    inspect: checkInspect(checked),
+    requireSolids: checkKind(checked),
+    simplify: checkSimplify(checked),
+    certify: checkCertify(checked),
+    coordinates: checkCoordinates(checked),
+    tolerance: checkTolerance(checked),
+    contactMemory: checkContactMemory(checked),
+  };
   const begin = performance.now();
   try {
     const result = ask(session, (core) => call(core, meshes, settings), meshes);

@@ -6,7 +6,7 @@ import assert from 'node:assert/strict';
 import process from 'node:process';
 import test from 'node:test';
 
-import { inspect, intersect, load, make, MeshError, subtract, symmetricDifference, transform, union } from 'mortise';
+import { inspect, intersect, load, make, MeshError, partition, subtract, symmetricDifference, transform, union } from 'mortise';
 
 import { cube, meshError, soupOf } from './support.mjs';
 
@@ -155,7 +155,7 @@ test('the report has exactly the documented fields, in their order', async () =>
   const { report } = await union(cube(), cube(0.5));
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified certificate operands stages milliseconds regions graph contact notes';
+    'selfIntersections certified certificate tolerance operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(report), fields.split(' '));
   assert.deepEqual(Object.keys(await inspect(cube())), fields.split(' '));
   assert.equal(report.certified, true);
@@ -305,4 +305,22 @@ test('copies turned too little for doubles are snapped; the certificate says how
   }
   assert.ok(report.notes.some((note) => note.includes('rounds of snapping, which moved')));
   assert.equal((await inspect(mesh)).certificate, null);
+});
+
+test('float32 coordinates are certified as such, and repaired where doubles need no repair', async () => {
+  const ball = await make('icosphere', { levels: 4 });
+  const near = await transform(ball, [{ rotateX: 1e-6 }, { rotateZ: 2e-6 }]);
+  for (const operation of [union, subtract, partition]) {
+    const { mesh, report } = await operation(ball, near, { coordinates: 'float32' });
+    assert.ok(mesh.positions.every((x) => x === Math.fround(x)));
+    assert.equal(report.certified, true);
+    const { mergeRounds, swapRounds, snapRounds, largestDisplacement } = report.certificate;
+    assert.ok(mergeRounds + swapRounds + snapRounds > 0);
+    assert.ok(largestDisplacement >= 2 ** -25 && largestDisplacement < 2 ** -12);
+    assert.ok(report.notes.some((note) => note.startsWith('relative certificate of float32 coordinates: ')));
+    if (operation !== partition) assert.equal((await inspect({ ...mesh, positions: Float32Array.from(mesh.positions) })).certified, true);
+  }
+  await assert.rejects(union(ball, near, { coordinates: 'float16' }), { code: 'INVALID_ARGUMENT' });
+  const huge = await transform(ball, [{ scale: 1e39 }]);
+  await assert.rejects(union(huge, huge, { coordinates: 'float32' }), { code: 'OUT_OF_RANGE' });
 });

@@ -118,7 +118,7 @@ test('the JSON report has exactly the documented fields', (t) => {
   const json = report(cwd, 'union', 'a.ply', 'b.obj', '-o', 'out.ply');
   const fields =
     'vertices triangles closed oriented manifold boundaryEdges nonManifoldEdges components genus volume area bbox minAngleDeg maxAngleDeg ' +
-    'selfIntersections certified certificate operands stages milliseconds regions graph contact notes';
+    'selfIntersections certified certificate tolerance operands stages milliseconds regions graph contact notes';
   assert.deepEqual(Object.keys(json), fields.split(' '));
   assert.deepEqual(json.regions, [{ id: 1, operands: [0, 1], volume: 1.875, area: 10.5 }]);
   mortise.writeMesh(join(cwd, 'c.ply'), cube(1 / 3, 1 / 3, 1 / 3));
@@ -313,7 +313,7 @@ test('exit code 4: a float32 file that would cross itself is refused, unless all
   assert.equal(existsSync(join(cwd, 'out.stl')), false);
   const json = JSON.parse(refused.out);
   assert.equal(json.certified, false);
-  assert.ok(json.notes.some((note) => /float32/.test(note) && /the doubles are certified/.test(note)));
+  assert.ok(json.notes.some((note) => /float32 coordinates are too coarse/.test(note)));
 
   assert.equal(run([...words, 'out.stl', '--allow-uncertified'], { cwd }).code, 0);
   assert.equal(existsSync(join(cwd, 'out.stl')), true);
@@ -325,7 +325,7 @@ test('the certificate of a float32 file is about what it stores', (t) => {
   mortise.writeMesh(join(cwd, 'cube.ply'), cube(0.1, 0.2, 0.3));
   const json = report(cwd, 'subtract', 'ball.ply', 'cube.ply', '-o', 'out.stl');
   assert.equal(json.certified, true);
-  assert.ok(json.notes.some((note) => /certified is about the float32 coordinates/.test(note)));
+  assert.ok(json.notes.some((note) => /^relative certificate of float32 coordinates/.test(note)));
 });
 
 test('a pipe whose reader has gone is no failure', async (t) => {

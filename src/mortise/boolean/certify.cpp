@@ -35,7 +35,8 @@ class Certifier {
     if (result_.certificate.triangles_tested == 0) return result_;
     test_pairs(progress);
     test_order_round_edges();
-    for (const FaceId t : find_turned_shells(faces_, facets_, merged_, is_moved_vertex_)) fail(t, t);
+    const double displacement = result_.certificate.largest_displacement;
+    for (const FaceId t : find_turned_shells(faces_, facets_, merged_, is_moved_vertex_, displacement)) fail(t, t);
     auto& failed = result_.certificate.failed_faces;
     std::sort(failed.begin(), failed.end());
     failed.erase(std::unique(failed.begin(), failed.end()), failed.end());
@@ -49,23 +50,25 @@ class Certifier {
   [[nodiscard]] PointId point_of(VertexId v) const { return merged_.point_of_vertex[v.index()]; }
   [[nodiscard]] const PlanePoints& exact_corners(FaceId t) const { return facets_.corners[merged_.facet_of_triangle[t.index()].facet]; }
 
-  void note_rounding(const Vec3d& p) {
+  // From the exact point to its nearest doubles, and from these to the vertex.
+  void note_rounding(const Vec3d& nearest, const Vec3d& vertex) {
     constexpr double half_ulp = 0x1p-53;
-    const Vec3d bound{half_ulp * p.x, half_ulp * p.y, half_ulp * p.z};
-    double& largest = result_.certificate.largest_displacement;
-    largest = std::max(largest, length(bound));
+    const Vec3d bound{half_ulp * nearest.x, half_ulp * nearest.y, half_ulp * nearest.z};
+    largest_rounding_ = std::max(largest_rounding_, length(bound) + length(vertex - nearest));
   }
 
   void find_moved() {
-    result_.certificate.largest_displacement = merged_.repair_displacement;
     is_moved_ = merged_.is_repaired;
     is_moved_vertex_.assign(mesh_.points.size(), 0);
     touches_moved_.assign(mesh_.points.size(), 0);
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (faces_.points.is_representable(point_of(VertexId(v)))) continue;
+      const PointId exact = point_of(VertexId(v));
+      const Vec3d& nearest = faces_.points.nearest(exact);
+      if (faces_.points.is_representable(exact) && mesh_.points[v] == nearest) continue;
       is_moved_vertex_[v] = 1;
-      note_rounding(mesh_.points[v]);
+      note_rounding(nearest, mesh_.points[v]);
     }
+    result_.certificate.largest_displacement = std::max(largest_rounding_, merged_.rounding_displacement) + merged_.repair_displacement;
     for (std::size_t t = 0; t < mesh_.triangles.size(); ++t) {
       for (const VertexId v : mesh_.triangles[t]) is_moved_[t] |= is_moved_vertex_[v.index()];
       if (is_moved_[t] == 0) continue;
@@ -228,6 +231,7 @@ class Certifier {
   std::vector<std::uint8_t> is_moved_vertex_;
   std::vector<std::uint8_t> touches_moved_;
   std::vector<std::uint64_t> meeting_;  // tested pairs that meet beyond what they share
+  double largest_rounding_ = 0;
   CertifiedMesh result_;
 };
 

@@ -23,7 +23,7 @@ struct CertifiedMesh {
 /// Tested are all triangles with a vertex that is not its exact point, or repaired, each against every triangle whose box
 /// it meets: they have area, and they meet exactly in what they share. Round an edge with more than two triangles their
 /// order is the exact one; round an edge that a repair made, inside and outside alternate, or, where inner faces are kept,
-/// every space has one set of operands. A shell all of whose vertices moved keeps its sense.
+/// every space has one set of operands. A shell about as thin as vertices moved keeps its sense.
 /// @throws Error{Cancelled}
 /// O(n log n) in the result.
 [[nodiscard]] CertifiedMesh certify(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,

@@ -11,20 +11,38 @@
 
 namespace mortise {
 
-RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, int most_rounds,
-                                const ProgressCallback& progress) {
-  merge_equal_vertices(faces, merged);
+namespace {
+
+// Coordinates that do not tell apart what the operands are made of leave nothing to mend.
+RoundedResult give_up(MergedMesh merged) {
+  RoundedResult result;
+  Certificate& certificate = result.certified.certificate;
+  certificate.status = CertificateStatus::Uncertified;
+  for (std::uint32_t t = 0; t < merged.mesh.triangles.size(); ++t) certificate.failed_faces.push_back(t);
+  certificate.largest_displacement = merged.rounding_displacement;
+  result.merged = std::move(merged);
+  result.is_given_up = true;
+  return result;
+}
+
+}  // namespace
+
+RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets, MergedMesh merged, Coordinates coordinates,
+                                int most_rounds, const ProgressCallback& progress) {
+  const RepairReach reach = repair_reach(coordinates);
+  const std::size_t vertices = merged.mesh.points.size();
+  if (merge_equal_vertices(faces, coordinates, merged) > vertices / 4) return give_up(std::move(merged));
   CertifiedMesh certified = certify(faces, facets, merged, progress);
   for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
     const std::uint32_t merges = certified.certificate.merge_rounds, swaps = certified.certificate.swap_rounds;
-    const bool is_merged = merge_close_vertices(faces, certified.failed, 0, merged);
-    if (!is_merged && !swap_slivers(certified.failed, 0, merged)) break;
+    const bool is_merged = merge_close_vertices(faces, certified.failed, reach, merged);
+    if (!is_merged && !swap_slivers(certified.failed, reach, merged)) break;
     certified = certify(faces, facets, merged, progress);
     certified.certificate.repair_displacement = merged.repair_displacement;
     certified.certificate.merge_rounds = merges + (is_merged ? 1 : 0);
     certified.certificate.swap_rounds = swaps + (is_merged ? 0 : 1);
   }
-  return {std::move(merged), std::move(certified)};
+  return {std::move(merged), std::move(certified), false};
 }
 
 Certificate certify_all_pairs(const SurfaceMesh& mesh, Certificate relative) {

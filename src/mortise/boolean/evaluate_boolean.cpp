@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
+#include <map>
 #include <optional>
 
 #include "mortise/arrange/triangulate_faces.h"
@@ -13,10 +15,12 @@
 #include "mortise/boolean/certify_or_repair.h"
 #include "mortise/boolean/cut_by_sheets.h"
 #include "mortise/boolean/evaluate_selection.h"
+#include "mortise/boolean/given_operands.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
 #include "mortise/boolean/refuse_operands.h"
 #include "mortise/boolean/repair_by_snapping.h"
+#include "mortise/boolean/share_within_tolerance.h"
 #include "mortise/boolean/simplify.h"
 #include "mortise/boolean/transfer_data.h"
 
@@ -147,19 +151,28 @@ struct Call {
 };
 
 // Keeps what it takes to arrange again what the certificate could not prove. Facets behind the first ones were joined from these.
-void keep_for_repair(std::span<const SurfaceMesh* const> operands, const Arrangement& arrangement, std::size_t facet_count,
-                     const RoundedResult& rounded, EvaluatedSelection& evaluated) {
+void keep_for_repair(const Call& call, std::span<const SurfaceMesh* const> operands, const Arrangement& arrangement,
+                     std::size_t facet_count, const RoundedResult& rounded, EvaluatedSelection& evaluated) {
+  if (rounded.is_given_up) return;
   for (const std::uint32_t t : rounded.certified.certificate.failed_faces) {
     for (const FacetSource& s : arrangement.facets.sources_of(rounded.merged.facet_of_triangle[t].facet)) {
       evaluated.failed_faces.push_back(s.face);
     }
   }
-  if (evaluated.failed_faces.empty()) return;
+  if (evaluated.failed_faces.empty() || call.is_repair) return;
   Facets facets = arrangement.facets;
   facets.corners.resize(facet_count);
   facets.sources.resize(facets.first_source[FacetId(facet_count)]);
   facets.first_source.resize(facet_count + 1);
-  evaluated.all_facets = merge(operands, evaluated.faces, facets, select_all(evaluated.faces, facets, arrangement.categories));
+  const Selection all = select_all(evaluated.faces, facets, arrangement.categories);
+  evaluated.all_facets = merge(operands, evaluated.faces, facets, all, call.options.coordinates);
+}
+
+// What doubles leave nothing of is debris between operands that almost coincide; what float32 leaves nothing of may have been wanted.
+void refuse_to_vanish(Coordinates coordinates, const SurfaceMesh& mesh, BooleanReport& report) {
+  if (coordinates == Coordinates::Float64 || !mesh.triangles.empty()) return;
+  report.certificate.status = CertificateStatus::Uncertified;
+  report.notes.push_back("float32 coordinates are too coarse for this mesh: nothing is left of it");
 }
 
 // From the faces of the operands to the result, without data.
@@ -186,17 +199,22 @@ EvaluatedSelection evaluate_gathered(const Call& call, const OperandList& operan
     const SimplifyRule rule{options.simplify, agreement_of_labels(operands.meshes(), faces), arrangement.map.contact_points};
     selection = timed(times, "simplify", [&] { return simplify(rule, faces, arrangement.facets, std::move(selection)); });
   }
-  MergedMesh merged = timed(times, "merge", [&] { return merge(operands.meshes(), faces, arrangement.facets, selection); });
+  const Coordinates coordinates = options.coordinates;
+  MergedMesh merged = timed(times, "merge", [&] { return merge(operands.meshes(), faces, arrangement.facets, selection, coordinates); });
   const int most_rounds = call.is_repair ? 2 : 8;
-  const auto certify = [&] { return certify_or_repair(faces, arrangement.facets, std::move(merged), most_rounds, options.progress); };
+  const auto certify = [&] {
+    return certify_or_repair(faces, arrangement.facets, std::move(merged), coordinates, most_rounds, options.progress);
+  };
   RoundedResult rounded = timed(times, "certify", certify);
-  keep_for_repair(operands.meshes(), arrangement, facet_count, rounded, evaluated);
+  keep_for_repair(call, operands.meshes(), arrangement, facet_count, rounded, evaluated);
   report.certificate = std::move(rounded.certified.certificate);
   if (options.certify == CertificateLevel::Absolute) {
     const auto certify_all = [&] { return certify_all_pairs(rounded.merged.mesh, std::move(report.certificate)); };
     report.certificate = timed(times, "certify", certify_all);
   }
   if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
+  if (rounded.is_given_up) report.notes.push_back("float32 coordinates are too coarse for this mesh: many of its vertices became one");
+  if (!selection.kept.empty()) refuse_to_vanish(coordinates, rounded.merged.mesh, report);
   report.self_contacts = arrangement.self_contacts;
   report.sheets = sheets_of(operands, faces);
   result.mesh = std::move(rounded.merged.mesh);
@@ -216,32 +234,101 @@ EvaluatedSelection evaluate_cut_operands(const Call& call, std::span<const Surfa
   return evaluate_gathered({call.name, call.select, options, true}, list, std::move(faces));
 }
 
+EvaluatedSelection evaluate_and_repair(const Call& call, const OperandList& operands) {
+  std::vector<StageTime> times;
+  report_progress(call.options.progress, "gather_operands", 0);
+  OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  EvaluatedSelection evaluated = evaluate_gathered(call, operands, std::move(faces));
+  std::vector<StageTime>& stages = evaluated.result.report.stages;
+  stages.insert(stages.begin(), times.begin(), times.end());
+  if (evaluated.failed_faces.empty()) return evaluated;
+  const auto again = [&](std::span<const SurfaceMesh* const> cut) { return evaluate_cut_operands(call, cut); };
+  const Stopwatch watch;
+  repair_by_snapping(operands, call.options.coordinates, again, evaluated);
+  refuse_to_vanish(call.options.coordinates, evaluated.result.mesh, evaluated.result.report);
+  evaluated.result.report.stages.push_back({"repair_by_snapping", watch.milliseconds()});
+  return evaluated;
+}
+
+// What evaluate_and_repair says of shared operands, said of those they were made from.
+EvaluatedSelection evaluate_for_given(const Call& call, const OperandList& given, OperandFaces& given_faces, const OperandList& shared) {
+  try {
+    EvaluatedSelection evaluated = evaluate_and_repair(call, shared);
+    for (SheetOperand& sheet : evaluated.result.report.sheets) {
+      const OperandId k(sheet.operand);
+      given_faces.kind[k] = OperandKind::Sheet;
+      sheet.open_edges = open_edges(given.mesh(k.index()), given_faces, k);
+    }
+    return evaluated;
+  } catch (const Error& error) {
+    if (error.operand >= 0) refuse_operand(given.meshes(), given_faces, OperandId(static_cast<std::size_t>(error.operand)), error.code);
+    throw;
+  }
+}
+
+// Does every triangle occur as often one way round as the other?
+bool is_folded_flat(const SurfaceMesh& mesh) {
+  std::map<Triangle, int> times;
+  for (Triangle t : mesh.triangles) {
+    std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
+    const bool is_forward = t[1] < t[2];
+    if (!is_forward) std::swap(t[1], t[2]);
+    times[t] += is_forward ? 1 : -1;
+  }
+  return std::all_of(times.begin(), times.end(), [](const auto& entry) { return entry.second == 0; });
+}
+
+// Only where faces collapsed may nothing be left of an operand.
+std::vector<std::string> notes_of_vanished(const SharedOperands& shared) {
+  std::vector<std::string> notes;
+  std::uint32_t before = Provenance::none;
+  for (const OperandFace& face : shared.report.collapsed) {
+    if (face.operand != before && is_folded_flat(shared.operands[face.operand].mesh))
+      notes.push_back("operand " + std::to_string(face.operand) + " is thinner than the tolerance and vanished");
+    before = face.operand;
+  }
+  return notes;
+}
+
+// The operands as they share what is near, evaluated; then seen from the operands as given.
+EvaluatedSelection evaluate_shared(const Call& call, const OperandList& operands) {
+  report_progress(call.options.progress, "gather_operands", 0);
+  std::vector<StageTime> times;
+  OperandFaces given_faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  const auto share = [&] { return share_within_tolerance(operands.meshes(), call.options.tolerance, call.options.progress); };
+  SharedOperands shared = timed(times, "share_within_tolerance", share);
+  EvaluatedSelection evaluated = evaluate_for_given(call, operands, given_faces, OperandList(meshes_of(shared.operands)));
+  BooleanReport& report = evaluated.result.report;
+  report.stages.insert(report.stages.begin(), times.begin(), times.end());
+  for (std::string& note : notes_of_vanished(shared)) report.notes.push_back(std::move(note));
+  report.tolerance = std::move(shared.report);
+  std::vector<OperandVertex>& moved = report.certificate.moved_input_vertices;
+  const std::vector<OperandVertex> snapped = std::move(moved);
+  moved = name_given_sources(operands.meshes(), shared.operands, call.options.coordinates, evaluated);
+  for (const OperandVertex& v : snapped) {
+    const std::uint32_t source = shared.operands[v.operand].source_vertex[v.vertex];
+    if (source != Provenance::none) moved.push_back({v.operand, source});
+  }
+  std::sort(moved.begin(), moved.end());
+  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
+  return at_its_doubles(operands, std::move(evaluated.result));
+}
+
 }  // namespace
 
 EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selector& select, const OperandList& operands,
                                               const BooleanOptions& options) {
   if (operands.empty()) throw Error(ErrorCode::InvalidArgument, name, "at least one operand is needed");
-  std::vector<StageTime> times;
-  report_progress(options.progress, "gather_operands", 0);
-  OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  if (!(options.tolerance >= 0) || options.tolerance > std::numeric_limits<double>::max())
+    throw Error(ErrorCode::InvalidArgument, name, "the tolerance is a length, 0 or more");
   std::vector<DataChannel> channels = join_channels(operands.meshes());
   const Call call{name, select, options, false};
-  EvaluatedSelection evaluated = evaluate_gathered(call, operands, std::move(faces));
-  if (!evaluated.failed_faces.empty()) {
-    const auto again = [&](std::span<const SurfaceMesh* const> cut) { return evaluate_cut_operands(call, cut); };
-    timed(times, "repair_by_snapping", [&] {
-      repair_by_snapping(operands, again, evaluated);
-      return 0;
-    });
-  }
+  EvaluatedSelection evaluated = options.tolerance > 0 ? evaluate_shared(call, operands) : evaluate_and_repair(call, operands);
   if (!channels.empty()) {
     const ExactOperands source{operands.meshes(), evaluated.faces, evaluated.point_of_vertex};
     const auto transfer = [&] { return transfer_to(evaluated.result, source, std::move(channels), options.progress); };
-    evaluated.result.mesh.corner_data = timed(times, "transfer_data", transfer);
+    evaluated.result.mesh.corner_data = timed(evaluated.result.report.stages, "transfer_data", transfer);
   }
-  std::vector<StageTime>& stages = evaluated.result.report.stages;
-  stages.insert(stages.begin(), times.begin(), times.begin() + 1);
-  stages.insert(stages.end(), times.begin() + 1, times.end());
   report_progress(options.progress, "certify", 1);
   return evaluated;
 }

@@ -9,6 +9,7 @@
 #include "mortise/base/progress.h"
 #include "mortise/boolean/operation.h"
 #include "mortise/boolean/result.h"
+#include "mortise/geom/coordinates.h"
 
 namespace mortise {
 
@@ -17,6 +18,8 @@ struct BooleanOptions {
   std::vector<std::size_t> half_spaces;                   ///< positions of operands of make_half_space, which the result must not reach
   CertificateLevel certify = CertificateLevel::Relative;  ///< what the result has to be proven of
   Simplify simplify = Simplify::Off;                      ///< what of the cut is taken out of the result again
+  Coordinates coordinates = Coordinates::Float64;         ///< what coordinates the result has, and the certificate is about
+  double tolerance = 0;                                   ///< length: vertices, edges and faces this near are made to share (0: none)
   bool require_solids = false;                            ///< operands with a border are errors, not sheets
   std::uint64_t contact_memory = std::uint64_t{1} << 31;  ///< bytes the candidate pairs may take
 };

@@ -116,4 +116,10 @@ std::vector<ImprintedOperand> read_operands(std::span<const SurfaceMesh* const> 
   return imprinted;
 }
 
+std::vector<const SurfaceMesh*> meshes_of(std::span<const ImprintedOperand> operands) {
+  std::vector<const SurfaceMesh*> meshes;
+  for (const ImprintedOperand& o : operands) meshes.push_back(&o.mesh);
+  return meshes;
+}
+
 }  // namespace mortise

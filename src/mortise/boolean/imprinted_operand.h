@@ -27,4 +27,6 @@ struct ImprintedOperand {
 [[nodiscard]] std::vector<ImprintedOperand> read_operands(std::span<const SurfaceMesh* const> operands, const SurfaceMesh& all_facets,
                                                           const Provenance& provenance);
 
+[[nodiscard]] std::vector<const SurfaceMesh*> meshes_of(std::span<const ImprintedOperand> operands);
+
 }  // namespace mortise

@@ -7,6 +7,8 @@
 #include <map>
 #include <string>
 
+#include "mortise/base/error.h"
+#include "mortise/geom/length.h"
 #include "mortise/mesh/face_marks.h"
 
 namespace mortise {
@@ -146,13 +148,26 @@ void add_diagonals(std::span<const SurfaceMesh* const> operands, const OperandFa
   if (std::all_of(bits.begin(), bits.end(), [](std::uint8_t b) { return b == 0; })) merged.mesh.diagonals.clear();
 }
 
+// How far the farthest moves.
+double round_to_float32(std::vector<Vec3d>& points) {
+  double farthest = 0;
+  for (Vec3d& p : points) {
+    if (!fits_float32(p)) throw Error(ErrorCode::OutOfRange, "merge", "a coordinate of the result is too large for float32");
+    const Vec3d rounded = nearest_float32(p);
+    farthest = std::max(farthest, length(rounded - p));
+    p = rounded;
+  }
+  return farthest;
+}
+
 }  // namespace
 
-MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets,
-                 const Selection& selection) {
+MergedMesh merge(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Facets& facets, const Selection& selection,
+                 Coordinates coordinates) {
   MergedMesh merged;
   const std::vector<KeptFacet>& kept = selection.kept;
   const std::vector<VertexId> vertex_of = number_points(faces, facets, kept, merged);
+  if (coordinates == Coordinates::Float32) merged.rounding_displacement = round_to_float32(merged.mesh.points);
   merged.mesh.triangles.reserve(kept.size());
   merged.facet_of_triangle = kept;
   merged.keeps_all_sources = selection.keeps_all_sources;

@@ -11,7 +11,6 @@
 
 #include "mortise/boolean/join_coincident.h"
 #include "mortise/boolean/keep_triangles.h"
-#include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/face_marks.h"
 
@@ -50,16 +49,34 @@ struct ClosePair {
   VertexId a, b;  // a precedes b
 };
 
-// Pairs of corners of failed pairs no farther apart than their reach, each once: triangles in a bad place fail with many others.
+// Pairs of different vertices. Triangles in a bad place fail with many others: what occurs again is dropped before it fills memory.
+class VertexPairs {
+ public:
+  void add(VertexId a, VertexId b) {
+    keys_.push_back((std::uint64_t{std::min(a, b).value} << 32U) | std::max(a, b).value);
+    if (keys_.size() >= compact_at_) compact();
+  }
+
+  [[nodiscard]] const std::vector<std::uint64_t>& keys() {
+    compact();
+    return keys_;
+  }
+
+ private:
+  void compact() {
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    compact_at_ = std::max<std::size_t>(1024, 4 * keys_.size());
+  }
+
+  std::vector<std::uint64_t> keys_;
+  std::size_t compact_at_ = 1024;
+};
+
+// Pairs of corners of failed pairs no farther apart than their reach, the nearest first.
 std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Precedence& precedes, std::span<const FailedPair> failed,
-                                        double least_reach) {
-  std::vector<ClosePair> pairs;
-  const auto add = [&](VertexId a, VertexId b) {
-    if (precedes(b, a)) std::swap(a, b);
-    const Vec3d& p = merged.mesh.points[a.index()];
-    const double distance = length(merged.mesh.points[b.index()] - p);
-    if (distance <= std::max(repair_reach(p), least_reach)) pairs.push_back({distance, a, b});
-  };
+                                        const RepairReach& reach) {
+  VertexPairs corner_pairs;
   for (const FailedPair& f : failed) {
     std::array<VertexId, 6> corners;
     const auto second = std::copy_n(merged.mesh.triangles[f.a.index()].begin(), 3, corners.begin());
@@ -67,15 +84,21 @@ std::vector<ClosePair> find_close_pairs(const MergedMesh& merged, const Preceden
     std::sort(corners.begin(), corners.end());
     const auto end = std::unique(corners.begin(), corners.end());
     for (auto p = corners.begin(); p != end; ++p) {
-      for (auto q = p + 1; q != end; ++q) add(*p, *q);
+      for (auto q = p + 1; q != end; ++q) corner_pairs.add(*p, *q);
     }
+  }
+  std::vector<ClosePair> pairs;
+  for (const std::uint64_t key : corner_pairs.keys()) {
+    VertexId a(static_cast<std::uint32_t>(key >> 32U)), b(static_cast<std::uint32_t>(key));
+    if (precedes(b, a)) std::swap(a, b);
+    const Vec3d& p = merged.mesh.points[a.index()];
+    const double distance = length(merged.mesh.points[b.index()] - p);
+    if (distance <= reach.at(p)) pairs.push_back({distance, a, b});
   }
   std::sort(pairs.begin(), pairs.end(), [&](const ClosePair& p, const ClosePair& q) {
     if (p.distance != q.distance) return p.distance < q.distance;
     return p.a != q.a ? precedes(p.a, q.a) : precedes(p.b, q.b);
   });
-  const auto is_same = [](const ClosePair& p, const ClosePair& q) { return p.a == q.a && p.b == q.b; };
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
   return pairs;
 }
 
@@ -86,7 +109,16 @@ class Replacement {
     for (std::size_t v = 0; v < vertex_count; ++v) of_.push_back(VertexId(v));
   }
 
-  bool merge(VertexId a, VertexId b) {
+  // Of vertices at one place.
+  void merge_equal(VertexId a, VertexId b) {
+    a = find(a);
+    b = find(b);
+    if (precedes_(b, a)) std::swap(a, b);
+    of_[b.index()] = a;
+  }
+
+  // False when they are one already, or none may move.
+  bool merge_close(VertexId a, VertexId b) {
     a = find(a);
     b = find(b);
     if (a == b) return false;
@@ -95,6 +127,7 @@ class Replacement {
     of_[b.index()] = a;
     return true;
   }
+
   [[nodiscard]] VertexId find(VertexId v) const {
     while (of_[v.index()] != v) v = of_[v.index()];
     return v;
@@ -173,27 +206,35 @@ void apply(const Replacement& replacement, MergedMesh& merged) {
 
 }  // namespace
 
-void merge_equal_vertices(const OperandFaces& faces, MergedMesh& merged) {
+std::size_t merge_equal_vertices(const OperandFaces& faces, Coordinates coordinates, MergedMesh& merged) {
   const std::vector<Vec3d>& points = merged.mesh.points;
   const Precedence precedes(faces, merged);
-  std::vector<VertexId> made;
+  std::vector<VertexId> rounded;
   for (std::size_t v = 0; v < points.size(); ++v) {
-    if (!precedes.is_input(VertexId(v))) made.push_back(VertexId(v));
+    if (coordinates == Coordinates::Float32 || !precedes.is_input(VertexId(v))) rounded.push_back(VertexId(v));
   }
-  std::sort(made.begin(), made.end(), precedes);
+  std::sort(rounded.begin(), rounded.end(), [&](VertexId a, VertexId b) {
+    const Vec3d &p = points[a.index()], &q = points[b.index()];
+    return p != q ? std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z) : precedes(a, b);
+  });
   Replacement replacement(precedes, points.size());
+  std::size_t merged_inputs = 0;
   bool any = false;
-  for (std::size_t i = 1; i < made.size(); ++i) {
-    if (points[made[i].index()] == points[made[i - 1].index()]) any |= replacement.merge(made[i - 1], made[i]);
+  for (std::size_t i = 1; i < rounded.size(); ++i) {
+    if (points[rounded[i].index()] != points[rounded[i - 1].index()]) continue;
+    merged_inputs += precedes.is_input(rounded[i]) ? 1 : 0;
+    replacement.merge_equal(rounded[i - 1], rounded[i]);
+    any = true;
   }
   if (any) apply(replacement, merged);
+  return merged_inputs;
 }
 
-bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
+bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
   const Precedence precedes(faces, merged);
   Replacement replacement(precedes, merged.mesh.points.size());
   bool any = false;
-  for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, least_reach)) any |= replacement.merge(pair.a, pair.b);
+  for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, reach)) any |= replacement.merge_close(pair.a, pair.b);
   if (any) apply(replacement, merged);
   return any;
 }

@@ -6,19 +6,22 @@
 #include <span>
 
 #include "mortise/boolean/certify.h"
+#include "mortise/boolean/repair_reach.h"
 
 namespace mortise {
 
-/// Merges made vertices that rounding put on the same doubles: whatever uses two of them would fail.
-/// O(n log n) in the made vertices.
-void merge_equal_vertices(const OperandFaces& faces, MergedMesh& merged);
+/// Merges made vertices that rounding put on the same doubles: whatever uses two of them would fail. Rounding to float32 does the same
+/// to vertices of operands.
+/// @return how many of these went
+/// O(n log n) in the vertices that may have moved.
+std::size_t merge_equal_vertices(const OperandFaces& faces, Coordinates coordinates, MergedMesh& merged);
 
 /// Merges made vertices of failed triangles into the nearest vertex there, closest first, made before input; an input vertex
 /// never moves. Triangles that lose a corner go, opposite triangles on the same corners cancel, so every edge stays
 /// balanced (exact-core 5, repair b). The caller certifies again.
-/// @param least_reach  vertices farther apart than this and than repair_reach are left alone
+/// @param reach  vertices farther apart are left alone
 /// @return false when there was nothing to merge
-[[nodiscard]] bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, double least_reach,
+[[nodiscard]] bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, const RepairReach& reach,
                                         MergedMesh& merged);
 
 }  // namespace mortise

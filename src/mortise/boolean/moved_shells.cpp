@@ -1,53 +1,118 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// The exact sense of a shell from its extreme point, against the volume of its doubles.
+// A thick shell keeps its sense. Of a thin one, the exact sense from its extreme point, against the volume of its coordinates.
 #include "mortise/boolean/moved_shells.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
 #include "mortise/base/union_find.h"
 #include "mortise/boolean/radial_order.h"
-#include "mortise/mesh/measures.h"
+#include "mortise/geom/length.h"
+#include "mortise/mesh/volume_sign.h"
 
 namespace mortise {
 namespace {
 
-// Triangles of each shell of moved vertices, ascending.
-std::vector<std::vector<FaceId>> moved_shells(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_moved) {
-  UnionFind shells(mesh.points.size());
-  for (const Triangle& t : mesh.triangles) {
-    shells.join(t[0].value, t[1].value);
-    shells.join(t[1].value, t[2].value);
-  }
-  std::vector<std::uint8_t> all_moved(mesh.points.size(), 1);
-  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
-    if (is_moved[v] == 0) all_moved[shells.find(v)] = 0;
-  }
-  std::vector<std::uint32_t> number(mesh.points.size(), 0xffffffffU);
-  std::vector<std::vector<FaceId>> result;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const std::uint32_t root = shells.find(mesh.triangles[t][0].value);
-    if (all_moved[root] == 0) continue;
-    if (number[root] == 0xffffffffU) {
-      number[root] = static_cast<std::uint32_t>(result.size());
-      result.emplace_back();
-    }
-    result[number[root]].push_back(FaceId(t));
-  }
-  return result;
+// What a space on a shell encloses, roughly.
+struct SpaceSums {
+  std::uint32_t space = 0;
+  double six_volumes = 0, absolute = 0, two_areas = 0;
+};
+
+// One entry, or with walls one for each space behind or in front of triangles of the shell.
+using ShellSums = std::vector<SpaceSums>;
+
+void add_to(std::vector<SpaceSums>& spaces, std::uint32_t space, double six_volume, double two_area) {
+  auto at = std::find_if(spaces.begin(), spaces.end(), [&](const SpaceSums& s) { return s.space == space; });
+  if (at == spaces.end()) at = spaces.insert(at, {space});
+  at->six_volumes += six_volume;
+  at->absolute += std::fabs(six_volume);
+  at->two_areas += two_area;
 }
 
-double volume_of(const SurfaceMesh& mesh, std::span<const Triangle> triangles) {
+// Can motion of a surface so far have changed the sign of its volume? The volume changed by no more than area times distance.
+bool may_be_turned(const SpaceSums& sums, double displacement) {
+  constexpr double rounding_of_sums = 0x1p-30;
+  return std::fabs(sums.six_volumes) <= 12 * sums.two_areas * displacement + rounding_of_sums * sums.absolute;
+}
+
+// The shell of each vertex, or none where no vertex of the shell moved; and how many there are.
+struct ShellNumbers {
+  std::vector<std::uint32_t> of_vertex;
+  std::uint32_t count = 0;
+
+  static constexpr std::uint32_t none = 0xffffffffU;
+};
+
+ShellNumbers number_shells(const SurfaceMesh& mesh, const std::vector<std::uint8_t>& is_moved) {
+  UnionFind joined(mesh.points.size());
+  for (const Triangle& t : mesh.triangles) {
+    joined.join(t[0].value, t[1].value);
+    joined.join(t[1].value, t[2].value);
+  }
+  ShellNumbers shells{std::vector<std::uint32_t>(mesh.points.size(), ShellNumbers::none)};
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) {
+    std::uint32_t& number = shells.of_vertex[joined.find(v)];
+    if (is_moved[v] != 0 && number == ShellNumbers::none) number = shells.count++;
+  }
+  for (std::uint32_t v = 0; v < mesh.points.size(); ++v) shells.of_vertex[v] = shells.of_vertex[joined.find(v)];
+  return shells;
+}
+
+std::vector<ShellSums> sum_shells(const MergedMesh& merged, const ShellNumbers& shells) {
+  const SurfaceMesh& mesh = merged.mesh;
+  const Provenance& p = merged.provenance;
+  const bool has_walls = !p.covering_front.empty();
+  std::vector<ShellSums> sums(shells.count);
+  std::vector<Vec3d> origins(shells.count);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& corners = mesh.triangles[t];
+    const std::uint32_t shell = shells.of_vertex[corners[0].index()];
+    if (shell == ShellNumbers::none) continue;
+    if (sums[shell].empty()) origins[shell] = mesh.points[corners[0].index()];
+    const Vec3d a = mesh.points[corners[0].index()] - origins[shell], b = mesh.points[corners[1].index()] - origins[shell],
+                c = mesh.points[corners[2].index()] - origins[shell];
+    const double six_volume = dot(a, cross(b, c)), two_area = length(cross(b - a, c - a));
+    const std::uint32_t behind = has_walls ? p.space_of(p.covering[t]) : 0, in_front = has_walls ? p.space_of(p.covering_front[t]) : 1;
+    if (behind == in_front) continue;
+    add_to(sums[shell], behind, six_volume, two_area);
+    if (has_walls) add_to(sums[shell], in_front, -six_volume, two_area);
+  }
+  return sums;
+}
+
+// Triangles of each shell that motion so far can have turned, ascending.
+std::vector<std::vector<FaceId>> thin_shells(const MergedMesh& merged, const std::vector<std::uint8_t>& is_moved, double displacement) {
+  const ShellNumbers shells = number_shells(merged.mesh, is_moved);
+  const std::vector<ShellSums> sums = sum_shells(merged, shells);
+  std::vector<std::uint32_t> place(shells.count, ShellNumbers::none);
+  std::uint32_t thin_count = 0;
+  for (std::uint32_t i = 0; i < shells.count; ++i) {
+    const auto may_be = [&](const SpaceSums& space) { return may_be_turned(space, displacement); };
+    if (std::any_of(sums[i].begin(), sums[i].end(), may_be)) place[i] = thin_count++;
+  }
+  std::vector<std::vector<FaceId>> thin(thin_count);
+  if (thin_count == 0) return thin;
+  for (std::size_t t = 0; t < merged.mesh.triangles.size(); ++t) {
+    const std::uint32_t shell = shells.of_vertex[merged.mesh.triangles[t][0].index()];
+    if (shell != ShellNumbers::none && place[shell] != ShellNumbers::none) thin[place[shell]].push_back(FaceId(t));
+  }
+  return thin;
+}
+
+Sign sign_of_volume(const SurfaceMesh& mesh, std::span<const Triangle> triangles) {
   SurfaceMesh part;
   for (const Triangle& t : triangles) {
     const auto first = static_cast<std::uint32_t>(part.points.size());
     for (const VertexId v : t) part.points.push_back(mesh.points[v.index()]);
     part.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
   }
-  return enclosed_volume(part);
+  return enclosed_volume_sign(part);
 }
 
 // The facets of the exact surface behind a shell. A repair may have taken the last triangle of a facet, so they are looked up
@@ -171,8 +236,7 @@ class ExactShell {
 bool keeps_sense(const MergedMesh& merged, std::span<const FaceId> shell, const ExactShell& exact) {
   std::vector<Triangle> triangles;
   for (const FaceId f : shell) triangles.push_back(merged.mesh.triangles[f.index()]);
-  const double volume = volume_of(merged.mesh, triangles);
-  return exact.is_outward() ? volume > 0 : volume < 0;
+  return sign_of_volume(merged.mesh, triangles) == (exact.is_outward() ? Sign::Positive : Sign::Negative);
 }
 
 // With walls: do spaces of each kind have volume, and the surrounding one, turned outside in, less than none?
@@ -188,22 +252,23 @@ bool keeps_senses(const MergedMesh& merged, std::span<const FaceId> shell, const
   }
   const std::uint32_t surrounding = p.space_of(merged.covering_of_region[exact.surrounding()]);
   return std::all_of(boundary.begin(), boundary.end(), [&](const auto& space) {
-    const double volume = volume_of(merged.mesh, space.second);
-    return space.first == surrounding ? volume < 0 : volume > 0;
+    return sign_of_volume(merged.mesh, space.second) == (space.first == surrounding ? Sign::Negative : Sign::Positive);
   });
 }
 
 }  // namespace
 
 std::vector<FaceId> find_turned_shells(const OperandFaces& faces, const Facets& facets, const MergedMesh& merged,
-                                       const std::vector<std::uint8_t>& is_moved) {
+                                       const std::vector<std::uint8_t>& is_moved, double displacement) {
   const bool has_walls = !merged.provenance.covering_front.empty();
   std::vector<FaceId> turned;
-  ExactSurface surface(faces, facets, merged);
-  for (const std::vector<FaceId>& shell : moved_shells(merged.mesh, is_moved)) {
-    const std::vector<KeptFacet> kept = surface.facets_of(shell);
+  std::optional<ExactSurface> surface;
+  for (const std::vector<FaceId>& shell : thin_shells(merged, is_moved, displacement)) {
+    if (!surface) surface.emplace(faces, facets, merged);
+    const std::vector<KeptFacet> kept = surface->facets_of(shell);
     const ExactShell exact(faces, facets, kept);
-    if (!(has_walls ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact))) turned.push_back(shell.front());
+    const bool keeps = has_walls ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact);
+    if (!keeps) turned.push_back(shell.front());
   }
   return turned;
 }

@@ -6,8 +6,6 @@
 #include <algorithm>
 #include <string>
 
-#include "mortise/base/error.h"
-
 namespace mortise {
 namespace {
 
@@ -102,9 +100,15 @@ void refuse_operands(std::span<const SurfaceMesh* const> operands, const Operand
                         })->operand;
     const bool is_open =
         std::any_of(unbalanced.begin(), unbalanced.end(), [&](const UnbalancedEdge& e) { return e.operand == k && e.is_open; });
-    refuse_unbalanced(*operands[k.index()], faces, k, is_open);
+    refuse_operand(operands, faces, k, is_open ? ErrorCode::NotClosed : ErrorCode::NotOriented);
   }
-  if (!categories.inside_out.empty()) refuse_inside_out(faces, categories.inside_out.front());
+  if (!categories.inside_out.empty()) refuse_operand(operands, faces, categories.inside_out.front(), ErrorCode::InsideOut);
+}
+
+void refuse_operand(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, OperandId k, ErrorCode code) {
+  if (code == ErrorCode::NotClosed || code == ErrorCode::NotOriented)
+    refuse_unbalanced(*operands[k.index()], faces, k, code == ErrorCode::NotClosed);
+  if (code == ErrorCode::InsideOut) refuse_inside_out(faces, k);
 }
 
 }  // namespace mortise

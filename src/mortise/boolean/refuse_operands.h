@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "mortise/base/error.h"
 #include "mortise/boolean/categorize.h"
 
 namespace mortise {
@@ -22,5 +23,9 @@ namespace mortise {
 /// numbered them; an edge that only exists after splitting is named by the given edges it lies on
 /// @throws Error{InsideOut} naming faces
 void refuse_operands(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, const Categories& categories);
+
+/// The error of refuse_operands about one operand.
+/// @param code  NotClosed, NotOriented or InsideOut; returns for others
+void refuse_operand(std::span<const SurfaceMesh* const> operands, const OperandFaces& faces, OperandId k, ErrorCode code);
 
 }  // namespace mortise

@@ -8,14 +8,17 @@
 #include <cmath>
 #include <tuple>
 
-#include "mortise/boolean/imprinted_operand.h"
+#include "mortise/boolean/given_operands.h"
 #include "mortise/geom/length.h"
 
 namespace mortise {
 namespace {
 
-constexpr std::array grids{46, 40, 34, 28, 23};  // 2^-bits of the largest coordinate
-constexpr int most_rounds = 8;                   // on one grid; after two only while each mends half of what failed
+// 2^-bits of the largest coordinate.
+constexpr std::array grids{46, 40, 34, 28, 23};
+constexpr std::array float32_grids{22, 20, 18, 16, 14};
+
+constexpr int most_rounds = 8;  // on one grid; after two only while each mends half of what failed
 
 // A cube of side 2^exponent round a point of a grid: its number along each axis.
 struct Voxel {
@@ -39,7 +42,7 @@ Vec3d centre_of(const Voxel& voxel) {
   return centre;
 }
 
-// Vertices at their nearest doubles, until they are put on grids.
+// Vertices at their nearest coordinates, until they are put on grids.
 class SnappedPoints {
  public:
   explicit SnappedPoints(const std::vector<Vec3d>& nearest) : nearest_(nearest), bits_(nearest.size(), 0) {}
@@ -75,12 +78,6 @@ double largest_distance(const std::vector<Vec3d>& from, const std::vector<Vec3d>
   return largest;
 }
 
-std::vector<const SurfaceMesh*> meshes_of(const std::vector<ImprintedOperand>& operands) {
-  std::vector<const SurfaceMesh*> meshes;
-  for (const ImprintedOperand& o : operands) meshes.push_back(&o.mesh);
-  return meshes;
-}
-
 void move_to(const std::vector<Vec3d>& positions, std::vector<ImprintedOperand>& operands) {
   for (ImprintedOperand& operand : operands) {
     for (std::size_t v = 0; v < operand.vertex_ids.size(); ++v) operand.mesh.points[v] = positions[operand.vertex_ids[v]];
@@ -97,53 +94,10 @@ std::vector<std::uint32_t> failed_vertices(const EvaluatedSelection& again, cons
   return vertices;
 }
 
-// Sources of a result of the cut operands in terms of the operands as given. Returns those of their vertices that moved.
-std::vector<OperandVertex> name_sources(std::span<const SurfaceMesh* const> operands, const std::vector<ImprintedOperand>& cut,
-                                        EvaluatedSelection& again) {
-  Provenance& p = again.result.provenance;
-  const auto name_face = [&](std::uint32_t operand, std::uint32_t& face) { face = cut[operand].source_face[face]; };
-  for (std::size_t t = 0; t < p.source_face.size(); ++t) name_face(p.source_operand[t], p.source_face[t]);
-  for (std::size_t i = 0; i < p.other_source_face.size(); ++i) name_face(p.other_source_operand[i], p.other_source_face[i]);
-  const std::size_t vertex_count = again.point_of_vertex.size();
-  std::vector<std::uint32_t> vertex_at(again.faces.points.size(), Provenance::none);
-  for (std::uint32_t v = 0; v < vertex_count; ++v) vertex_at[again.point_of_vertex[v].index()] = v;
-  p.vertex_operand.assign(vertex_count, Provenance::none);
-  p.vertex_source.assign(vertex_count, Provenance::none);
-  std::vector<OperandVertex> moved;
-  for (std::uint32_t k = 0; k < cut.size(); ++k) {
-    const std::vector<PointId>& points = again.faces.point_of_vertex[OperandId(k)];
-    for (std::size_t i = 0; i < points.size(); ++i) {
-      const std::uint32_t v = vertex_at[points[i].index()], source = cut[k].source_vertex[i];
-      if (v == Provenance::none || source == Provenance::none) continue;
-      if (!(again.result.mesh.points[v] == operands[k]->points[source])) {
-        moved.push_back({k, source});
-      } else if (p.vertex_operand[v] == Provenance::none) {
-        p.vertex_operand[v] = k;
-        p.vertex_source[v] = source;
-      }
-    }
-  }
-  std::sort(moved.begin(), moved.end());
-  moved.erase(std::unique(moved.begin(), moved.end()), moved.end());
-  return moved;
-}
-
-// The result as one whose points are exactly its doubles.
-void take_over(const OperandList& operands, BooleanResult&& last, EvaluatedSelection& folded) {
-  BooleanResult& result = folded.result;
-  result.mesh = std::move(last.mesh);
-  result.provenance = std::move(last.provenance);
-  result.graph = std::move(last.graph);
-  result.report.certificate = std::move(last.report.certificate);
-  folded.faces = gather_operands(operands);
-  folded.point_of_vertex.clear();
-  for (const Vec3d& p : result.mesh.points) folded.point_of_vertex.push_back(folded.faces.points.add_input(p));
-  folded.failed_faces.clear();
-}
-
 }  // namespace
 
-void repair_by_snapping(const OperandList& operands, const EvaluateAgain& evaluate_again, EvaluatedSelection& folded) {
+void repair_by_snapping(const OperandList& operands, Coordinates coordinates, const EvaluateAgain& evaluate_again,
+                        EvaluatedSelection& folded) {
   const SurfaceMesh& all_facets = folded.all_facets.mesh;
   std::vector<ImprintedOperand> cut = read_operands(operands.meshes(), all_facets, folded.all_facets.provenance);
   SnappedPoints points(all_facets.points);
@@ -155,7 +109,7 @@ void repair_by_snapping(const OperandList& operands, const EvaluateAgain& evalua
     ++rounds;
   };
   arrange_again();
-  for (const int bits : grids) {
+  for (const int bits : coordinates == Coordinates::Float32 ? float32_grids : grids) {
     for (int round = 0; round < most_rounds && !again.failed_faces.empty(); ++round) {
       const std::size_t failed = again.failed_faces.size();
       points.snap(failed_vertices(again, cut), bits);
@@ -168,8 +122,11 @@ void repair_by_snapping(const OperandList& operands, const EvaluateAgain& evalua
   certificate.repair_displacement = largest_distance(all_facets.points, points.positions()) + certificate.largest_displacement;
   certificate.largest_displacement = folded.result.report.certificate.largest_displacement + certificate.repair_displacement;
   certificate.snap_rounds = rounds;
-  certificate.moved_input_vertices = name_sources(operands.meshes(), cut, again);
-  take_over(operands, std::move(again.result), folded);
+  certificate.moved_input_vertices = name_given_sources(operands.meshes(), cut, coordinates, again);
+  BooleanReport& report = folded.result.report;
+  report.certificate = std::move(certificate);
+  again.result.report = std::move(report);
+  folded = at_its_doubles(operands, std::move(again.result));
 }
 
 }  // namespace mortise

@@ -7,15 +7,24 @@
 #include <cmath>
 
 #include "mortise/boolean/merge.h"
+#include "mortise/geom/coordinates.h"
 #include "mortise/geom/vec.h"
 
 namespace mortise {
 
-/// 2^-46 of the largest coordinate of the point: 128 times what rounding may have moved it. Local, so that a scene may span
-/// any range: detail near the origin is not measured by what lies far out.
-[[nodiscard]] inline double repair_reach(const Vec3d& p) {
-  constexpr double finest_grid = 0x1p-46;
-  return finest_grid * std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)});
+/// How far a repair may move a point: 128 times what rounding may have moved it. Local, so that a scene may span any range: detail
+/// near the origin is not measured by what lies far out.
+struct RepairReach {
+  double share;  ///< of the largest coordinate of the point
+  double least;  ///< where coordinates are so small that their spacing does not depend on them
+
+  [[nodiscard]] double at(const Vec3d& p) const {
+    return std::max(share * std::max({std::fabs(p.x), std::fabs(p.y), std::fabs(p.z)}), least);
+  }
+};
+
+[[nodiscard]] inline RepairReach repair_reach(Coordinates coordinates) {
+  return coordinates == Coordinates::Float32 ? RepairReach{0x1p-17, 0x1p-142} : RepairReach{0x1p-46, 0x1p-1067};
 }
 
 /// Keeps the facets of the exact surface, before the first repair drops one.

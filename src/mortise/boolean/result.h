@@ -59,6 +59,21 @@ struct Certificate {
   std::vector<std::uint32_t> failed_faces;          ///< of the result, ascending; empty when certified
 };
 
+struct OperandFace {
+  std::uint32_t operand = 0, face = 0;
+
+  auto operator<=>(const OperandFace&) const = default;
+};
+
+/// What it took to let operands share what lay within a tolerance.
+struct ToleranceReport {
+  std::uint64_t moved_vertices = 0;     ///< of operands, to the place of another one
+  std::uint64_t made_vertices = 0;      ///< where edges passed one another
+  double largest_move = 0;              ///< of a vertex; at most the tolerance
+  std::vector<OperandFace> collapsed;   ///< ascending: faces whose corners became two or one
+  std::vector<OperandFace> unresolved;  ///< ascending: faces on which not all that is near could be shared
+};
+
 struct StageTime {
   std::string stage;
   double milliseconds = 0;
@@ -74,6 +89,7 @@ struct BooleanReport {
   std::vector<StageTime> stages;
   Certificate certificate;
   ContactMeasure contact;
+  ToleranceReport tolerance;
   std::vector<std::uint32_t> self_contacts;  ///< operands whose crossings with themselves had to be resolved
   std::vector<SheetOperand> sheets;          ///< ascending
   std::vector<std::string> notes;

@@ -10,7 +10,6 @@
 
 #include "mortise/boolean/join_coincident.h"
 #include "mortise/boolean/keep_triangles.h"
-#include "mortise/boolean/repair_reach.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/face_marks.h"
 
@@ -26,8 +25,8 @@ struct DirectedEdge {
 
 class SliverSwapper {
  public:
-  SliverSwapper(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged)
-      : least_reach_(least_reach), has_walls_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
+  SliverSwapper(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged)
+      : reach_(reach), has_walls_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
     std::vector<std::uint8_t> is_near(mesh_.points.size(), 0);
     for (const FailedPair& f : failed) {
       for (const FaceId t : {f.a, f.b}) {
@@ -94,7 +93,7 @@ class SliverSwapper {
     if (!(size[longest] > 0)) return false;
     const Vec3d& top = position(t[(longest + 2) % 3]);
     height = height_over(position(t[longest]), position(t[(longest + 1) % 3]), top);
-    return height <= std::max(repair_reach(top), least_reach_);
+    return height <= reach_.at(top);
   }
 
   //      a               a
@@ -204,7 +203,7 @@ class SliverSwapper {
     for (std::size_t i = to.index() + 1; i < p.other_source_begin.size(); ++i) p.other_source_begin[i] += new_count - old_count;
   }
 
-  double least_reach_;
+  RepairReach reach_;
   bool has_walls_;
   MergedMesh& merged_;
   SurfaceMesh& mesh_;
@@ -215,8 +214,8 @@ class SliverSwapper {
 
 }  // namespace
 
-bool swap_slivers(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged) {
-  return SliverSwapper(failed, least_reach, merged).run();
+bool swap_slivers(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
+  return SliverSwapper(failed, reach, merged).run();
 }
 
 }  // namespace mortise

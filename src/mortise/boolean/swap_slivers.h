@@ -6,6 +6,7 @@
 #include <span>
 
 #include "mortise/boolean/certify.h"
+#include "mortise/boolean/repair_reach.h"
 
 namespace mortise {
 
@@ -14,8 +15,8 @@ namespace mortise {
 /// Both triangles after the swap belong to the face of the larger one; the surface moves by no more than the height of the
 /// sliver. Where inner faces are kept, any number of triangles may meet at that edge: the sliver goes, each of the others takes
 /// its corner into the edge, and those that then coincide are joined. The caller certifies again.
-/// @param least_reach  triangles higher over their longest edge than this and than repair_reach at their top are no slivers
+/// @param reach  triangles higher over their longest edge than this at their top are no slivers
 /// @return false when there was nothing to swap
-[[nodiscard]] bool swap_slivers(std::span<const FailedPair> failed, double least_reach, MergedMesh& merged);
+[[nodiscard]] bool swap_slivers(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged);
 
 }  // namespace mortise

@@ -8,7 +8,9 @@
 
 #include "mortise/base/bits.h"
 #include "mortise/base/trig.h"
+#include "mortise/exact/big_float.h"
 #include "mortise/exact/double_double.h"
+#include "mortise/exact/formulas.h"
 
 namespace mortise {
 namespace {
@@ -106,6 +108,18 @@ std::array<Angle, 3> angles_of(const TriangleShape& shape) {
   return angles;
 }
 
+/// Of the tetrahedra from the centre to all faces, coordinates scaled: what cancels in double-double.
+double exact_six_volumes(const SurfaceMesh& mesh, const std::array<int, 3>& exponents, const Vec3d& centre) {
+  const auto scaled = [&](VertexId v) {
+    const Vec3d& p = mesh.points[v.index()];
+    return Vec3d{shifted(p.x, -exponents[0]), shifted(p.y, -exponents[1]), shifted(p.z, -exponents[2])};
+  };
+  BigFloat sum;
+  for (const Triangle& t : mesh.triangles) sum = sum + orient3d_value<BigFloat>(scaled(t[0]), scaled(t[2]), scaled(t[1]), centre);
+  const auto [value, exponent] = sum.leading();
+  return std::ldexp(value, exponent);
+}
+
 }  // namespace
 
 double triangle_area(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -147,7 +161,9 @@ double enclosed_volume(const SurfaceMesh& mesh) {
     const Vec3dd c = from_centre(mesh.points[t[2].index()]);
     six_volumes = six_volumes + dot(a, cross(b, c));
   }
-  return std::ldexp((six_volumes / DoubleDouble{6, 0, 0}).hi, exponents[0] + exponents[1] + exponents[2]);
+  const int exponent = exponents[0] + exponents[1] + exponents[2];
+  if (!certain_sign(six_volumes)) return std::ldexp(exact_six_volumes(mesh, exponents, centre) / 6, exponent);
+  return std::ldexp((six_volumes / DoubleDouble{6, 0, 0}).hi, exponent);
 }
 
 FaceMeasures measure_faces(const SurfaceMesh& mesh) {

@@ -22,7 +22,7 @@ namespace mortise {
 [[nodiscard]] Box3 bounding_box(const SurfaceMesh& mesh);
 
 /// The signed volume a closed surface encloses, positive when it is oriented outwards. Of an open one: that of the cones
-/// from the centre of its box.
+/// from the centre of its box. Its sign is exact.
 [[nodiscard]] double enclosed_volume(const SurfaceMesh& mesh);
 
 struct AngleRange {

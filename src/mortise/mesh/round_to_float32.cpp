@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "mortise/base/error.h"
+#include "mortise/geom/coordinates.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/face_marks.h"
 #include "mortise/mesh/find_self_crossings.h"
@@ -21,21 +22,12 @@
 namespace mortise {
 namespace {
 
-// Below the largest float and half a unit.
-bool fits_float(double x) { return std::fabs(x) < 0x1.ffffffp127; }
-
-// volatile: g++ 12.2 vectorizes the two conversions of neighbouring coordinates into none.
-double rounded(double x) {
-  const volatile float stored = static_cast<float>(x);
-  return static_cast<double>(stored);
-}
-
 void round_points(std::vector<Vec3d>& points) {
   std::vector<std::uint32_t> too_large;
   for (std::size_t v = 0; v < points.size(); ++v) {
     Vec3d& p = points[v];
-    if (fits_float(p.x) && fits_float(p.y) && fits_float(p.z)) {
-      p = {rounded(p.x), rounded(p.y), rounded(p.z)};
+    if (fits_float32(p)) {
+      p = nearest_float32(p);
     } else {
       too_large.push_back(static_cast<std::uint32_t>(v));
     }

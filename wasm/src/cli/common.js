@@ -5,6 +5,7 @@
 
 import { MeshError, invalidArgument } from '../errors.js';
 import { formats } from '../formats.js';
+import { parseNumber } from './arguments.js';
 import { reportText } from './report_text.js';
 
 /**
@@ -41,6 +42,34 @@ export const readingOptions = {
 
 /** @type {Record<string, Option>} */
 export const writingOptions = { ...readingOptions, output: { type: 'string', short: 'o' }, quiet: { type: 'boolean', short: 'q' } };
+
+/**
+ * What every verb that arranges meshes takes.
+ * @type {Record<string, Option>}
+ */
+export const arrangingOptions = {
+  ...writingOptions,
+  'allow-uncertified': { type: 'boolean' },
+  kind: { type: 'string' },
+  certify: { type: 'string' },
+  tolerance: { type: 'string' },
+};
+
+export const arrangingHelp = `  --kind solid          refuse open meshes, naming their open edges
+  --tolerance LENGTH    meshes this near are made to share vertices, edges and faces, which moves no vertex farther
+  --certify absolute    certified only if no triangles cross, those of the operands included
+`;
+
+/**
+ * What binary STL files store is float32, so this is what gets certified.
+ * @param {Arguments} args
+ * @param {Target} target
+ * @returns {import('../index.js').BooleanOptions}
+ */
+export function arrangingOptionsOf({ values: { kind, certify, tolerance } }, { format }) {
+  const length = tolerance === undefined ? undefined : parseNumber(tolerance, 'tolerance');
+  return /** @type {any} */ ({ kind, certify, tolerance: length, coordinates: format === 'stl' ? 'float32' : 'float64' });
+}
 
 /** How a report names a file. @param {string} file */
 export function displayName(file) {

@@ -18,7 +18,7 @@ const number = (n) => String(Number(n.toPrecision(12)));
 const short = (n) => String(Number(n.toPrecision(4)));
 
 /** @param {number} n @param {string} one */
-const plural = (n, one) => `${count(n)} ${one}${n === 1 ? '' : 's'}`;
+const plural = (n, one, many = `${one}s`) => `${count(n)} ${n === 1 ? one : many}`;
 
 /** @param {import('../index.js').Report} report */
 function surface({ closed, oriented, manifold, boundaryEdges, nonManifoldEdges }) {
@@ -40,6 +40,12 @@ function parts({ components, genus }) {
 /** @param {import('../index.js').OperandReport} operand */
 function operandLine({ name, vertices, triangles, selfContacts }) {
   return `${name ?? ''}  ${plural(triangles, 'triangle')}, ${count(vertices)} vertices${selfContacts ? ', crosses itself' : ''}`.trim();
+}
+
+/** @param {import('../index.js').ToleranceReport} tolerance */
+function sharing({ movedVertices, madeVertices, largestMove, collapsed, unresolved }) {
+  const moved = `${plural(movedVertices, 'vertex', 'vertices')} moved${movedVertices === 0 ? '' : ` by at most ${short(largestMove)}`}, ${count(madeVertices)} made`;
+  return `${moved}, ${plural(collapsed.length, 'face')} collapsed, ${count(unresolved.length)} unresolved`;
 }
 
 /** @param {import('../index.js').Report} report */
@@ -75,11 +81,12 @@ function meshLines(report) {
  * @param {import('../index.js').Report} report
  * @returns {[string, string][]}
  */
-function callLines({ operands, certified, graph, contact }) {
+function callLines({ operands, certified, tolerance, graph, contact }) {
   if (operands.length === 0) return [];
   const chains = `${plural(graph.closedLoops, 'closed loop')}, ${plural(graph.openChains, 'open chain')}`;
   return [
     ['certified', certified ? 'yes' : 'no'],
+    .../** @type {[string, string][]} */ (tolerance === null ? [] : [['tolerance', sharing(tolerance)]]),
     ['graph', `${count(graph.vertices)} vertices, ${plural(graph.edges, 'edge')}, ${chains}`],
     ['contact', `${plural(contact.points, 'point')}, length ${number(contact.length)}, area ${number(contact.area)}`],
     .../** @type {[string, string][]} */ (operands.map((operand, i) => [i === 0 ? 'operands' : '', operandLine(operand)])),

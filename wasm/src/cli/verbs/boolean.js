@@ -6,9 +6,8 @@
 
 import { invalidArgument } from '../../errors.js';
 import { parseNumbers } from '../arguments.js';
-import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';
+import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send, targetOf } from '../common.js';
 import { exitCode } from '../exit_codes.js';
-import { storedResult } from '../stored.js';
 
 /**
  * What the verbs differ in. `word` is what stands before the files.
@@ -80,20 +79,10 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard outp
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
-  --kind solid          refuse open meshes, naming their open edges
-  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
-  --certify absolute    certified only if no triangles cross, those of the operands included
+${arrangingHelp}  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
   --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
-}
-
-/**
- * @param {import('../arguments.js').Arguments} args
- * @returns {import('../../index.js').BooleanOptions}
- */
-function optionsOf({ values: { kind, simplify, certify } }) {
-  return /** @type {any} */ ({ kind, simplify, certify });
 }
 
 /**
@@ -114,13 +103,10 @@ export function booleanVerb(name) {
   return {
     help: helpText(name),
     options: {
-      ...writingOptions,
+      ...arrangingOptions,
       ...options,
-      'allow-uncertified': { type: 'boolean' },
-      kind: { type: 'string' },
       plane: { type: 'string' },
       simplify: { type: 'string' },
-      certify: { type: 'string' },
     },
     run(mortise, args, streams) {
       const target = targetOf(args);
@@ -128,8 +114,8 @@ export function booleanVerb(name) {
       if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
       const operands = [...files.map((file) => readOperand(mortise, file, args, streams)), ...planesOf(args)];
-      const result = namingFiles(files, () => evaluate(mortise, operands, optionsOf(args), args.positionals[0], args.values));
-      const { mesh, report } = storedResult(mortise, result, target.format);
+      const settings = { ...arrangingOptionsOf(args, target), simplify: args.values.simplify };
+      const { mesh, report } = namingFiles(files, () => evaluate(mortise, operands, settings, args.positionals[0], args.values));
       const refused = !report.certified && !args.values['allow-uncertified'];
       if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);
       report.operands = report.operands.map((operand, i) => ({ name: i < files.length ? displayName(files[i]) : '--plane', ...operand }));

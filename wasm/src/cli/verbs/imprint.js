@@ -4,9 +4,8 @@
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
-import { displayName, namingFiles, printReport, readOperand, send, targetOf, writingOptions } from '../common.js';
+import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send, targetOf } from '../common.js';
 import { exitCode } from '../exit_codes.js';
-import { storedResult } from '../stored.js';
 
 /** @type {import('../common.js').Verb} */
 export const imprintVerb = {
@@ -19,10 +18,10 @@ as one mesh, triangles that coincide counted once. Meshes are closed; they may t
   -o, --output FILE     .stl .obj .ply .off, with %d in its name
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
-  --allow-uncertified   write the meshes even when they are not proven free of new crossings
+${arrangingHelp}  --allow-uncertified   write the meshes even when they are not proven free of new crossings
   -q, --quiet           print no report
 `,
-  options: { ...writingOptions, 'allow-uncertified': { type: 'boolean' } },
+  options: arrangingOptions,
   run(mortise, args, streams) {
     const target = targetOf(args);
     const files = args.positionals;
@@ -30,10 +29,9 @@ as one mesh, triangles that coincide counted once. Meshes are closed; they may t
     if (files.length === 0) throw invalidArgument('imprint needs mesh files');
     const begin = performance.now();
     const operands = files.map((file) => readOperand(mortise, file, args, streams));
-    const result = namingFiles(files, () => mortise.imprint(operands));
-    const { report } = storedResult(mortise, result, target.format);
+    const { report, operands: imprinted } = namingFiles(files, () => mortise.imprint(operands, arrangingOptionsOf(args, target)));
     const refused = !report.certified && !args.values['allow-uncertified'];
-    const written = refused ? [] : result.operands;
+    const written = refused ? [] : imprinted;
     written.forEach((operand, i) => {
       send({ ...target, file: target.file.replaceAll('%d', String(i + 1)) }, mortise.writeMesh(operand, { format: target.format }), streams);
     });
