@@ -156,6 +156,29 @@ TEST_CASE("A point made in three ways has one id", "[exact]") {
   CHECK(set.size() == 7);
 }
 
+TEST_CASE("A point can be made again from its definition", "[exact]") {
+  PointSet set;
+  const PointId o = set.add_input({0, 0, 0}), x = set.add_input({3, 0, 0}), y = set.add_input({0, 3, 0}), z = set.add_input({0, 0, 3});
+  const PointId up = set.add_input({1, 2, 1}), xy = set.add_input({3, 4, 0});
+  CHECK(set.definition(up) == std::vector<PointId>{up});
+  const PointId crossing = set.add_line_line({o, xy}, {y, x}, Axis::Z);
+  const std::vector<PointId> lines = set.definition(crossing);
+  REQUIRE(lines.size() == 4);
+  CHECK(set.add_line_line({lines[0], lines[1]}, {lines[2], lines[3]}, Axis::Z) == crossing);
+  const PointId pierced = set.add_line_plane({o, up}, {x, y, z});
+  const std::vector<PointId> line_and_plane = set.definition(pierced);
+  REQUIRE(line_and_plane.size() == 5);
+  const auto plane_at = [](const std::vector<PointId>& points, std::size_t i) {
+    return PlanePoints{points[i], points[i + 1], points[i + 2]};
+  };
+  CHECK(set.add_line_plane({line_and_plane[0], line_and_plane[1]}, plane_at(line_and_plane, 2)) == pierced);
+  const PointId corner = set.add_three_planes({x, y, z}, {o, up, x}, {o, xy, z});
+  const std::vector<PointId> planes = set.definition(corner);
+  REQUIRE(planes.size() == 9);
+  CHECK(set.add_three_planes(plane_at(planes, 0), plane_at(planes, 3), plane_at(planes, 6)) == corner);
+  CHECK(set.size() == 9);
+}
+
 TEST_CASE("A made point on an input point gets its id", "[exact]") {
   PointSet set;
   const PointId o = set.add_input({-0.0, 0, 0}), x = set.add_input({1, 0, 0}), y = set.add_input({0, 1, 0}), z = set.add_input({0, 0, 1});

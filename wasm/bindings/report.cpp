@@ -145,6 +145,14 @@ std::string certificate_note(const Certificate& certificate, Coordinates coordin
          (is_absolute ? " triangles are not free of crossings" : " triangles are not proven free of new crossings");
 }
 
+val places_out(const ExactPlaces& places) {
+  val object = val::object();
+  object.set("vertices", copy_out(places.vertices));
+  object.set("begin", copy_out(places.begin));
+  object.set("points", points_out(places.points));
+  return object;
+}
+
 val certificate_out(const Certificate& certificate) {
   val object = val::object();
   object.set("level", certificate.level == CertificateLevel::Absolute ? "absolute" : "relative");
@@ -152,6 +160,7 @@ val certificate_out(const Certificate& certificate) {
   object.set("pairsTested", count_out(certificate.pairs_tested));
   object.set("inheritedPairs", count_out(certificate.inherited_pairs));
   object.set("failedTriangles", copy_out(certificate.failed_faces));
+  object.set("exactPlaces", places_out(certificate.exact_places));
   object.set("largestDisplacement", certificate.largest_displacement);
   object.set("repairDisplacement", certificate.repair_displacement);
   object.set("mergeRounds", certificate.merge_rounds);

@@ -126,6 +126,19 @@ export interface RegionReport {
   area: number;
 }
 
+/**
+ * Exact places of the corners of failed triangles, by points of the operands: vertex i has points begin[i] .. begin[i + 1]. One
+ * point is the place itself; of four, the line through the first two meets the line through the others there; of five, that line
+ * meets the plane through the others; of nine, three planes meet.
+ */
+export interface ExactPlaces {
+  /** Of the result, ascending. */
+  vertices: Uint32Array;
+  begin: Uint32Array;
+  /** x, y, z of each. */
+  points: Float64Array;
+}
+
 /** What was tested of the doubles of a result, and what it took to make them free of crossings. Lengths in units of the mesh. */
 export interface Certificate {
   level: 'relative' | 'absolute';
@@ -136,6 +149,7 @@ export interface Certificate {
   inheritedPairs: number;
   /** Triangles of the result not proven, ascending; empty when certified. */
   failedTriangles: Uint32Array;
+  exactPlaces: ExactPlaces;
   /** The farthest any point of the result may lie from its exact place. */
   largestDisplacement: number;
   /** The part of it that repair added; 0: every vertex the cut made is at its nearest doubles. */

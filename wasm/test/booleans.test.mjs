@@ -324,3 +324,17 @@ test('float32 coordinates are certified as such, and repaired where doubles need
   const huge = await transform(ball, [{ scale: 1e39 }]);
   await assert.rejects(union(huge, huge, { coordinates: 'float32' }), { code: 'OUT_OF_RANGE' });
 });
+
+test('coordinates that are not proven come with the places they stand for, by points of the operands', async () => {
+  const far = await make('icosphere', { radius: 1, levels: 5 });
+  const sphere = await transform(far, [{ translate: [1e8, 0, 0] }]);
+  const other = await transform(far, [{ translate: [1e8 + 0.5, 0.3, 0.2] }]);
+  const { mesh, report } = await union(sphere, other, { coordinates: 'float32' });
+  assert.equal(report.certified, false);
+  const { failedTriangles, exactPlaces } = report.certificate;
+  const corners = new Set([...failedTriangles].flatMap((t) => [...mesh.triangles.subarray(3 * t, 3 * t + 3)]));
+  assert.deepEqual([...exactPlaces.vertices], [...corners].sort((a, b) => a - b));
+  assert.equal(exactPlaces.begin.length, exactPlaces.vertices.length + 1);
+  assert.equal(exactPlaces.points.length, 3 * exactPlaces.begin.at(-1));
+  for (let i = 0; i < exactPlaces.vertices.length; ++i) assert.ok([1, 4, 5, 9].includes(exactPlaces.begin[i + 1] - exactPlaces.begin[i]));
+});

@@ -19,12 +19,12 @@ class SheetCut {
   SheetCut(const OperandFaces& faces, const Facets& facets, MergedMesh& merged)
       : faces_(faces), facets_(facets), merged_(merged), cells_(find_cells(merged.mesh)), is_inside_(cells_.cells.size(), 0) {}
 
-  [[nodiscard]] std::vector<std::string> run() && {
+  [[nodiscard]] std::vector<std::string> run(std::vector<std::uint32_t>& failed_faces) && {
     for (std::size_t t = 0; t < cells_.behind.size(); ++t) look_at(t);
     for (const auto& [place, seen] : seen_) {
       if (seen.back && !seen.front) is_inside_[place.first] = 0;
     }
-    drop_cells();
+    failed_faces = renumbered(failed_faces, drop_cells());
     return notes();
   }
 
@@ -50,7 +50,8 @@ class SheetCut {
     }
   }
 
-  void drop_cells() {
+  // Answers which triangles stay.
+  std::vector<std::uint8_t> drop_cells() {
     std::vector<std::uint8_t> is_kept(cells_.behind.size(), 0);
     for (std::size_t t = 0; t < is_kept.size(); ++t) {
       const bool is_inside_behind = is_inside_[cells_.behind[t]] != 0, is_inside_in_front = is_inside_[cells_.in_front[t]] != 0;
@@ -61,6 +62,7 @@ class SheetCut {
     merged_.mesh.walls.clear();
     merged_.provenance.covering_front.clear();
     keep_triangles(is_kept, merged_);
+    return is_kept;
   }
 
   void turn_facet_over(std::size_t t) {
@@ -96,8 +98,9 @@ class SheetCut {
 
 }  // namespace
 
-std::vector<std::string> cut_by_sheets(const OperandFaces& faces, const Facets& facets, MergedMesh& merged) {
-  return SheetCut(faces, facets, merged).run();
+std::vector<std::string> cut_by_sheets(const OperandFaces& faces, const Facets& facets, MergedMesh& merged,
+                                       std::vector<std::uint32_t>& failed_faces) {
+  return SheetCut(faces, facets, merged).run(failed_faces);
 }
 
 }  // namespace mortise

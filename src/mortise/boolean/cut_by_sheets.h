@@ -3,6 +3,7 @@
 // A solid less what lies behind sheets that separate it (exact-core 4).
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,10 @@ namespace mortise {
 /// sees no front of it, but its back; where it sees both, the sheet ends inside and separates nothing there.
 ///
 /// @param merged  with walls where sheets cut the solid
+/// @param failed_faces  of the result, by number: they get the new ones
 /// @return a sentence about each sheet that ends inside
 /// O(n log n) in the result.
-[[nodiscard]] std::vector<std::string> cut_by_sheets(const OperandFaces& faces, const Facets& facets, MergedMesh& merged);
+[[nodiscard]] std::vector<std::string> cut_by_sheets(const OperandFaces& faces, const Facets& facets, MergedMesh& merged,
+                                                     std::vector<std::uint32_t>& failed_faces);
 
 }  // namespace mortise

@@ -15,6 +15,7 @@
 #include "mortise/boolean/certify_or_repair.h"
 #include "mortise/boolean/cut_by_sheets.h"
 #include "mortise/boolean/evaluate_selection.h"
+#include "mortise/boolean/exact_places.h"
 #include "mortise/boolean/given_operands.h"
 #include "mortise/boolean/intersection_graph.h"
 #include "mortise/boolean/merge.h"
@@ -212,7 +213,7 @@ EvaluatedSelection evaluate_gathered(const Call& call, const OperandList& operan
     const auto certify_all = [&] { return certify_all_pairs(rounded.merged.mesh, std::move(report.certificate)); };
     report.certificate = timed(times, "certify", certify_all);
   }
-  if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged);
+  if (selection.is_cut_by_sheets) report.notes = cut_by_sheets(faces, arrangement.facets, rounded.merged, report.certificate.failed_faces);
   if (rounded.is_given_up) report.notes.push_back("float32 coordinates are too coarse for this mesh: many of its vertices became one");
   if (!selection.kept.empty()) refuse_to_vanish(coordinates, rounded.merged.mesh, report);
   report.self_contacts = arrangement.self_contacts;
@@ -234,7 +235,17 @@ EvaluatedSelection evaluate_cut_operands(const Call& call, std::span<const Surfa
   return evaluate_gathered({call.name, call.select, options, true}, list, std::move(faces));
 }
 
-EvaluatedSelection evaluate_and_repair(const Call& call, const OperandList& operands) {
+// Where coordinates brought very many faces together there may be no room to arrange them; then the result stays as it is.
+void snap_within_memory(const OperandList& operands, Coordinates coordinates, const EvaluateAgain& again, EvaluatedSelection& evaluated) {
+  try {
+    repair_by_snapping(operands, coordinates, again, evaluated);
+  } catch (const Error& error) {
+    if (error.code != ErrorCode::ResultTooLarge) throw;
+    evaluated.result.report.notes.push_back("rounding brought so many faces together that their repair would need too much memory");
+  }
+}
+
+EvaluatedSelection evaluate_and_snap(const Call& call, const OperandList& operands) {
   std::vector<StageTime> times;
   report_progress(call.options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
@@ -244,9 +255,17 @@ EvaluatedSelection evaluate_and_repair(const Call& call, const OperandList& oper
   if (evaluated.failed_faces.empty()) return evaluated;
   const auto again = [&](std::span<const SurfaceMesh* const> cut) { return evaluate_cut_operands(call, cut); };
   const Stopwatch watch;
-  repair_by_snapping(operands, call.options.coordinates, again, evaluated);
+  snap_within_memory(operands, call.options.coordinates, again, evaluated);
   refuse_to_vanish(call.options.coordinates, evaluated.result.mesh, evaluated.result.report);
   evaluated.result.report.stages.push_back({"repair_by_snapping", watch.milliseconds()});
+  return evaluated;
+}
+
+EvaluatedSelection evaluate_and_repair(const Call& call, const OperandList& operands) {
+  EvaluatedSelection evaluated = evaluate_and_snap(call, operands);
+  Certificate& certificate = evaluated.result.report.certificate;
+  certificate.exact_places =
+      exact_places(evaluated.result.mesh, certificate.failed_faces, evaluated.faces.points, evaluated.point_of_vertex);
   return evaluated;
 }
 

@@ -8,6 +8,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/boolean/evaluate_selection.h"
+#include "mortise/boolean/exact_places.h"
 #include "mortise/boolean/keep_triangles.h"
 
 namespace mortise {
@@ -38,17 +39,6 @@ std::vector<std::uint8_t> triangles_in(KeepMask mask, const Provenance& provenan
   return is_kept;
 }
 
-// Those of the faces that stay, by their new numbers.
-std::vector<std::uint32_t> renumbered(const std::vector<std::uint32_t>& faces, const std::vector<std::uint8_t>& is_kept) {
-  std::vector<std::uint32_t> number, result;
-  std::uint32_t next = 0;
-  for (const std::uint8_t stays : is_kept) number.push_back(stays != 0 ? next++ : Provenance::none);
-  for (const std::uint32_t f : faces) {
-    if (is_kept[f] != 0) result.push_back(number[f]);
-  }
-  return result;
-}
-
 }  // namespace
 
 KeepMask keep_mask(std::span<const std::string> names) {
@@ -68,11 +58,12 @@ BooleanResult keep_faces(KeepMask mask, const OperandList& operands, const Boole
   if (mask >= 1U << tag_names.size()) throw Error(ErrorCode::InvalidArgument, stage_name, "a mask has six bits");
   BooleanResult result = evaluate_selection(stage_name, select_cut_faces, operands, options);
   const std::vector<std::uint8_t> is_kept = triangles_in(mask, result.provenance);
-  keep_triangles(is_kept, result.mesh, result.provenance);
+  const std::vector<std::uint8_t> is_kept_vertex = keep_triangles(is_kept, result.mesh, result.provenance);
   result.provenance.covering_front.clear();
   result.mesh.walls.clear();
-  auto& failed = result.report.certificate.failed_faces;
-  failed = renumbered(failed, is_kept);
+  Certificate& certificate = result.report.certificate;
+  certificate.failed_faces = renumbered(certificate.failed_faces, is_kept);
+  certificate.exact_places = renumbered(certificate.exact_places, is_kept_vertex);
   return result;
 }
 

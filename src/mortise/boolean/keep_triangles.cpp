@@ -39,13 +39,9 @@ std::vector<std::uint8_t> drop_unused_vertices(SurfaceMesh& mesh, Provenance& pr
   for (const Triangle& t : mesh.triangles) {
     for (const VertexId v : t) is_used[v.index()] = 1;
   }
-  std::vector<VertexId> renamed(is_used.size());
-  std::uint32_t next = 0;
-  for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (is_used[v] != 0) renamed[v] = VertexId(next++);
-  }
+  const std::vector<std::uint32_t> numbers = numbers_of_kept(is_used);
   for (Triangle& t : mesh.triangles) {
-    for (VertexId& v : t) v = renamed[v.index()];
+    for (VertexId& v : t) v = VertexId(numbers[v.index()]);
   }
   keep_marked(mesh.points, is_used);
   keep_marked(provenance.vertex_operand, is_used);
@@ -54,6 +50,22 @@ std::vector<std::uint8_t> drop_unused_vertices(SurfaceMesh& mesh, Provenance& pr
 }
 
 }  // namespace
+
+std::vector<std::uint32_t> numbers_of_kept(std::span<const std::uint8_t> is_kept) {
+  std::vector<std::uint32_t> numbers;
+  std::uint32_t next = 0;
+  for (const std::uint8_t stays : is_kept) numbers.push_back(stays != 0 ? next++ : Provenance::none);
+  return numbers;
+}
+
+std::vector<std::uint32_t> renumbered(std::span<const std::uint32_t> ids, std::span<const std::uint8_t> is_kept) {
+  const std::vector<std::uint32_t> numbers = numbers_of_kept(is_kept);
+  std::vector<std::uint32_t> result;
+  for (const std::uint32_t id : ids) {
+    if (is_kept[id] != 0) result.push_back(numbers[id]);
+  }
+  return result;
+}
 
 std::vector<std::uint8_t> keep_triangles(const std::vector<std::uint8_t>& is_kept, SurfaceMesh& mesh, Provenance& provenance) {
   keep_other_sources(provenance, is_kept);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "mortise/boolean/merge.h"
@@ -20,6 +21,12 @@ void keep_marked(std::vector<T>& values, const std::vector<std::uint8_t>& is_kep
   }
   values.resize(next);
 }
+
+/// The numbers the marked ones get, Provenance::none for the others.
+[[nodiscard]] std::vector<std::uint32_t> numbers_of_kept(std::span<const std::uint8_t> is_kept);
+
+/// Those of some ids that stay, by their new numbers.
+[[nodiscard]] std::vector<std::uint32_t> renumbered(std::span<const std::uint32_t> ids, std::span<const std::uint8_t> is_kept);
 
 /// Leaves the marked triangles and the vertices they use, in their order.
 /// @return per vertex there was: 1 when it stays

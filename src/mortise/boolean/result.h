@@ -44,6 +44,14 @@ struct OperandVertex {
   auto operator<=>(const OperandVertex&) const = default;
 };
 
+/// Exact places of vertices, by points of operands. One point is the place itself; of four, the line through the first two meets
+/// the line through the others there; of five, that line meets the plane through the others; of nine, three planes meet.
+struct ExactPlaces {
+  std::vector<std::uint32_t> vertices;  ///< of the result, ascending
+  std::vector<std::uint32_t> begin{0};  ///< vertex i has points begin[i] .. begin[i + 1]
+  std::vector<Vec3d> points;
+};
+
 struct Certificate {
   CertificateLevel level = CertificateLevel::Relative;
   CertificateStatus status = CertificateStatus::Certified;
@@ -57,6 +65,7 @@ struct Certificate {
   std::uint32_t snap_rounds = 0;                    ///< of repair, in which the rounded operands were arranged again
   std::vector<OperandVertex> moved_input_vertices;  ///< that had to move for this and are still in the result, ascending
   std::vector<std::uint32_t> failed_faces;          ///< of the result, ascending; empty when certified
+  ExactPlaces exact_places;                         ///< of the corners of failed faces
 };
 
 struct OperandFace {

@@ -337,6 +337,12 @@ bool PointSet::is_representable(PointId p) const {
   return all_of(s.rounding(p), [](const RoundedCoordinate& r) { return r.side == Sign::Zero; });
 }
 
+std::vector<PointId> PointSet::definition(PointId p) const {
+  if (is_input(p)) return {p};
+  const Construction& made = storage_->construction(p);
+  return {made.points.data(), made.points.data() + made.point_count()};
+}
+
 std::array<DoubleDouble, 3> PointSet::near_offset(PointId p, const Vec3d& origin) const {
   std::array<DoubleDouble, 3> offset;
   for (std::size_t i = 0; i < 3; ++i) offset[i] = storage_->rounded(p, i).value() - DoubleDouble{origin[i], 0, 0};

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "mortise/base/ids.h"
 #include "mortise/exact/rung.h"
@@ -61,6 +62,9 @@ class PointSet {
   [[nodiscard]] const Vec3d& nearest(PointId p) const;
   /// Is `nearest` the point itself?
   [[nodiscard]] bool is_representable(PointId p) const;
+  /// The input points it was made from: itself; four where the line through the first two meets the line through the others; five
+  /// where that line meets the plane through the others; nine for three planes.
+  [[nodiscard]] std::vector<PointId> definition(PointId p) const;
 
   /// Side of a plane, Positive where its normal points to (as orient3d).
   [[nodiscard]] Sign side_of_plane(const PlanePoints& plane, PointId p) const;

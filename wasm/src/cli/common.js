@@ -147,7 +147,7 @@ export function send({ file }, bytes, streams) {
  * @param {unknown} value
  */
 function asLists(_, value) {
-  return value instanceof Uint32Array ? [...value] : value;
+  return value instanceof Uint32Array || value instanceof Float64Array ? [...value] : value;
 }
 
 /**
