@@ -119,6 +119,17 @@ function arraysOfPart(prefix, { vertexIds, facetIds, sourceVertex, sourceFace, c
   return [...arraysOfMesh(prefix, mesh), ...arrays.map(([field, array]) => [`${prefix}${field}`, bytesOf(array)])];
 }
 
+const comparedTables = [
+  ...['edgeStart', 'edgeEnd', 'edgeIsSeam', 'faceGenus', 'faceBehind', 'faceInFront', 'usesOfLoopBegin', 'useEdge', 'useIsReversed'],
+  ...['sidesOfShellBegin', 'sideFace', 'pathBegin', 'path', 'triangleFace', 'vertexDimension', 'vertexEntity', 'regionVolume'],
+];
+
+/** The tables of the model of a mesh. */
+function arraysOfModel(prefix, mesh) {
+  const { tables } = mortise.model(mesh);
+  return comparedTables.map((name) => [`${prefix}${name}`, bytesOf(tables[name])]);
+}
+
 /** Names and bytes of what the native tool writes for one evaluation. */
 function outcome(name, word, operands) {
   try {
@@ -139,6 +150,7 @@ function outcome(name, word, operands) {
     return [
       ...arraysOfMesh(`${name}.`, mesh),
       ...arraysOfMesh(`${name}.float32.`, mortise.roundToFloat32(mesh)),
+      ...arraysOfModel(`${name}.model.`, mesh),
       ...Object.entries(arrays).map(([field, array]) => [`${name}.${field}`, bytesOf(array)]),
       ...parts.flatMap((part, k) => arraysOfPart(`${name}.part${k}.`, part)),
     ];

@@ -17,6 +17,9 @@
 #include "mortise/boolean/imprint.h"
 #include "mortise/boolean/keep_faces.h"
 #include "mortise/boolean/result_regions.h"
+#include "mortise/brep/build_brep.h"
+#include "mortise/brep/model_queries.h"
+#include "mortise/brep/validate_brep.h"
 #include "mortise/mesh/measures.h"
 #include "support/boolean_checks.h"
 #include "support/boolean_oracle.h"
@@ -270,11 +273,21 @@ class CaseCheck {
       outcome_.is_uncertified = true;
       return;
     }
+    const std::vector<ResultRegion> regions = find_result_regions(result).regions;
+    if (!crosses_itself_) check_model(result.mesh, regions.size());
     Measure sum;
-    for (const ResultRegion& region : find_result_regions(result).regions) sum.volume += region.volume * unit_ * unit_ * unit_;
+    for (const ResultRegion& region : regions) sum.volume += region.volume * unit_ * unit_ * unit_;
     sum.tolerance = measure_tolerance(result);
     expect_equal(sum, either, "regions of the partition = union");
     if (!crosses_itself_ && is_small_and_crosses(result.mesh)) add_fault("certified partition crosses itself");
+  }
+
+  void check_model(const SurfaceMesh& mesh, std::size_t regions) {
+    const ClassifiedBrep model = build_brep(mesh);
+    for (const std::string& fault : find_faults(mesh, model)) add_fault("model of the partition: " + fault);
+    const std::vector<std::uint8_t> voids = find_voids(mesh, model);
+    const auto solids = static_cast<std::size_t>(std::count(voids.begin() + 1, voids.end(), 0));
+    if (solids != regions) add_fault("a partition of " + std::to_string(regions) + " regions has a model of " + std::to_string(solids));
   }
 
   void check_imprint() {

@@ -149,10 +149,13 @@ std::vector<ListedScene> read_scene_list(const std::string& path) {
 
 std::vector<ListedScene> listed_scenes() { return read_scene_list(repository_path("tests/scenes.txt")); }
 
+OperationWord operation_word(const std::string& word) {
+  const std::size_t at = std::min(word.find('@'), word.size());
+  return {word.substr(0, at), options_of(word.substr(at))};
+}
+
 BooleanResult evaluate_word(const std::string& whole_word, std::span<const SurfaceMesh* const> operands) {
-  const std::size_t at = std::min(whole_word.find('@'), whole_word.size());
-  const std::string word = whole_word.substr(0, at);
-  const BooleanOptions options = options_of(whole_word.substr(at));
+  const auto [word, options] = operation_word(whole_word);
   if (word == "imprint") return imprint(operands, options).whole;
   if (word == "implant") return implant(operands, ImplantContact::Keep, options);
   if (word == "resolve") return resolve(*operands.front(), options);

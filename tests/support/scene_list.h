@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "mortise/boolean/result.h"
+#include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/mesh/surface_mesh.h"
 
 namespace mortise::test {
@@ -35,6 +35,15 @@ struct ListedScene {
 
 /// The scenes of this repository: tests/scenes.txt in the current folder or above it.
 [[nodiscard]] std::vector<ListedScene> listed_scenes();
+
+/// The word of an evaluation without its options, and these.
+struct OperationWord {
+  std::string operation;  ///< "union", "combine:(a|b)&!c"
+  BooleanOptions options;
+};
+
+/// @throws std::invalid_argument naming an option that is none
+[[nodiscard]] OperationWord operation_word(const std::string& word);
 
 /// What the word of an evaluation says, with its options, done with these operands.
 [[nodiscard]] BooleanResult evaluate_word(const std::string& word, std::span<const SurfaceMesh* const> operands);

@@ -15,6 +15,8 @@
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/imprint.h"
 #include "mortise/boolean/result_regions.h"
+#include "mortise/brep/build_brep.h"
+#include "mortise/brep/model_queries.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/round_to_float32.h"
@@ -107,6 +109,42 @@ void write_regions(const std::string& prefix, const ResultRegions& found) {
   write_array(prefix + "regionMeasures", measures);
 }
 
+/// One number of every item, as the tables of the package have it.
+template <class Items, class NumberOf>
+void write_numbers(const fs::path& path, const Items& items, NumberOf number_of) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto& item : items) numbers.push_back(static_cast<std::uint32_t>(number_of(item)));
+  write_array(path, numbers);
+}
+
+void write_entities(const std::string& prefix, const Brep& brep) {
+  write_numbers(prefix + "edgeStart", brep.edges, [](const ModelEdge& e) { return e.start.value; });
+  write_numbers(prefix + "edgeEnd", brep.edges, [](const ModelEdge& e) { return e.end.value; });
+  write_numbers(prefix + "edgeIsSeam", brep.edges, [](const ModelEdge& e) { return e.is_seam; });
+  write_numbers(prefix + "faceGenus", brep.faces, [](const ModelFace& f) { return f.genus; });
+  write_numbers(prefix + "faceBehind", brep.faces, [](const ModelFace& f) { return f.region_behind.value; });
+  write_numbers(prefix + "faceInFront", brep.faces, [](const ModelFace& f) { return f.region_in_front.value; });
+  write_array(prefix + "usesOfLoopBegin", brep.uses_of_loop.begin);
+  write_numbers(prefix + "useEdge", brep.uses_of_loop.items, [](const EdgeUse& u) { return u.edge.value; });
+  write_numbers(prefix + "useIsReversed", brep.uses_of_loop.items, [](const EdgeUse& u) { return u.is_reversed; });
+  write_array(prefix + "sidesOfShellBegin", brep.sides_of_shell.begin);
+  write_numbers(prefix + "sideFace", brep.sides_of_shell.items, [](const FaceSide& s) { return s.face.value; });
+}
+
+void write_model(const std::string& prefix, const SurfaceMesh& mesh) {
+  const ClassifiedBrep model = build_brep(mesh);
+  const ModelView view = view_of(mesh, model);
+  write_entities(prefix, model.brep);
+  write_array(prefix + "pathBegin", model.classification.path.begin);
+  write_array(prefix + "path", model.classification.path.items);
+  write_array(prefix + "triangleFace", model.classification.face_of_triangle);
+  write_numbers(prefix + "vertexDimension", model.classification.entity_of_vertex, [](const ModelEntity& e) { return e.dimension; });
+  write_numbers(prefix + "vertexEntity", model.classification.entity_of_vertex, [](const ModelEntity& e) { return e.id; });
+  std::vector<double> volumes;
+  for (std::uint32_t r = 0; r < model.brep.region_count; ++r) volumes.push_back(measure(view, {EntityDimension::Region, r}));
+  write_array(prefix + "regionVolume", volumes);
+}
+
 void write_result(const std::string& prefix, const BooleanResult& result) {
   write_surface(prefix, result.mesh);
   write_provenance(prefix, result.provenance);
@@ -115,6 +153,7 @@ void write_result(const std::string& prefix, const BooleanResult& result) {
   write_graph(prefix, result.graph);
   write_measures(prefix, result, regions);
   write_surface(prefix + "float32.", round_to_float32(result.mesh));
+  write_model(prefix + "model.", result.mesh);
   for (const Format format : {Format::PlyAscii, Format::StlBinary}) {
     const std::string bytes = write_mesh(result.mesh, format);
     write_bytes(prefix + std::string(format_name(format)), bytes.data(), bytes.size());
@@ -138,7 +177,8 @@ void write_imprint(const std::string& prefix, const ImprintResult& result) {
 /// The arrays of a result, or the code of the error instead.
 void write_outcome(const std::string& prefix, const std::string& word, const std::vector<const SurfaceMesh*>& operands) {
   try {
-    if (word == "imprint") return write_imprint(prefix, imprint(operands));
+    const auto [operation, options] = test::operation_word(word);
+    if (operation == "imprint") return write_imprint(prefix, imprint(operands, options));
     write_result(prefix, test::evaluate_word(word, operands));
   } catch (const Error& error) {
     const std::string_view code = error_code_name(error.code);

@@ -77,6 +77,8 @@ export function createAsyncApi(compileFrom, host) {
     repair: later('repair'),
     /** @type {typeof import('./index.js').extrudeTo} */
     extrudeTo: later('extrudeTo'),
+    /** @type {typeof import('./index.js').model} */
+    model: later('model'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
     /** @type {typeof import('./index.js').cornersToVertices} */

@@ -3,7 +3,7 @@
 // What the bindings export; the glue the compiler writes carries no types.
 
 import type { BooleanResult, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
-import type { PinchFreeMesh, RepairedMesh, Report, Section, VertexMesh } from './index.js';
+import type { ModelTables, PinchFreeMesh, Provenance, RepairedMesh, Report, Section, VertexMesh } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -67,10 +67,23 @@ export interface Core {
   cornersToVertices(mesh: CheckedMesh, missing: number): Answer<VertexMesh>;
   groupByLabel(mesh: CheckedMesh): Answer<GroupedMesh>;
   sliceMesh(mesh: CheckedMesh, plane: Float64Array): Answer<Section>;
+  modelOf(mesh: CheckedMesh, settings: ModelSettings): Answer<ModelTables>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
   formatOfPath(path: string): Answer<string>;
+}
+
+/** What `model` is told. */
+export interface ModelSettings {
+  faceAngle: number;
+  weakAngle: number | undefined;
+  edgeAngle: number;
+  leastDangling: number;
+  splitAtLabels: boolean;
+  userEdges: Uint32Array;
+  seams: 'none' | 'annulus' | 'disc';
+  sources: { provenance: Provenance; operands: CheckedMesh[] } | undefined;
 }
 
 export type CreateGlue = (options: {

@@ -52,6 +52,7 @@ exports.split = forward('split');
 exports.splitPinches = forward('splitPinches');
 exports.repair = forward('repair');
 exports.extrudeTo = forward('extrudeTo');
+exports.model = forward('model');
 exports.slice = forward('slice');
 exports.cornersToVertices = forward('cornersToVertices');
 exports.groupByLabel = forward('groupByLabel');

@@ -25,6 +25,7 @@ export declare const split: typeof mortise.split;
 export declare const splitPinches: typeof mortise.splitPinches;
 export declare const repair: typeof mortise.repair;
 export declare const extrudeTo: typeof mortise.extrudeTo;
+export declare const model: typeof mortise.model;
 export declare const slice: typeof mortise.slice;
 export declare const cornersToVertices: typeof mortise.cornersToVertices;
 export declare const groupByLabel: typeof mortise.groupByLabel;

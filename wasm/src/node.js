@@ -16,6 +16,6 @@ async function compileFrom(wasmUrl) {
 /** @type {import('./sync_api.js').Host} */
 const host = { readFile: readBytes, writeFile: writeBytes };
 
-export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
+export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
   createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

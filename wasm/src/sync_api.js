@@ -23,6 +23,7 @@ import {
 import { MeshError, invalidArgument } from './errors.js';
 import { formats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
+import { Model, checkModelOptions } from './model.js';
 import { placesOf } from './places.js';
 import { PreparedOperand, checkPrepared } from './prepared.js';
 import { checkShape } from './shapes.js';
@@ -310,6 +311,11 @@ export function createSyncApi(core, host, onStop) {
     make: (shape, parameters) => {
       const [name, numbers] = checkShape(shape, parameters);
       return ask(session, () => core.makeShape(name, numbers));
+    },
+    model: (mesh, options) => {
+      const checked = checkMesh(mesh, 'mesh');
+      const settings = checkModelOptions(options);
+      return new Model(ask(session, () => core.modelOf(checked, settings), [checked]));
     },
     ...meshOperations((call, meshes) => ask(session, call, meshes)),
     readMesh: (source, options) => readMesh(session, source, options),

@@ -21,7 +21,7 @@ import { cube, meshError } from './support.mjs';
 const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
 const names = [
-  ...['MeshError', 'combine', 'cornersToVertices', 'extrudeTo', 'groupByLabel', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'partition', 'prepare', 'readMesh', 'repair'],
+  ...['MeshError', 'combine', 'cornersToVertices', 'extrudeTo', 'groupByLabel', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'model', 'partition', 'prepare', 'readMesh', 'repair'],
   ...['resolve', 'roundToFloat32', 'slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh'],
 ];
 

@@ -1,238 +1,56 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Sides of faces joined round edges are shells; each edge-connected surface has one outer shell and one for every cell in it.
+// The cells of shells whose pieces are single faces, measured.
 #include "mortise/mesh/find_cells.h"
 
-#include <algorithm>
-#include <map>
+#include <numeric>
 
-#include "mortise/exact/predicates.h"
-#include "mortise/geom/box_tree.h"
+#include "mortise/mesh/find_shells.h"
 #include "mortise/mesh/measures.h"
-#include "mortise/mesh/order_round_edge.h"
-#include "mortise/mesh/ray_crossing.h"
-#include "mortise/mesh/topology.h"
 
 namespace mortise {
 namespace {
 
-constexpr std::uint32_t none = 0xffffffffU;
-
-// Side 2 f is behind face f, side 2 f + 1 in front of it.
-std::uint32_t side_behind(FaceId f) { return 2 * f.value; }
-std::uint32_t side_in_front(FaceId f) { return 2 * f.value + 1; }
-
-bool is_less(const Vec3d& a, const Vec3d& b) {
-  if (a.x != b.x) return a.x < b.x;
-  return a.y != b.y ? a.y < b.y : a.z < b.z;
+SurfacePieces single_faces(const SurfaceMesh& mesh, const MeshTopology& topology) {
+  SurfacePieces pieces;
+  pieces.of_face.count = static_cast<std::uint32_t>(mesh.triangles.size());
+  pieces.of_face.component_of.resize(mesh.triangles.size());
+  std::iota(pieces.of_face.component_of.begin(), pieces.of_face.component_of.end(), 0U);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) pieces.edges.emplace_back(e);
+  return pieces;
 }
 
-// A point below p in y, exactly at its x and z.
-Vec3d below(const Vec3d& p) { return {p.x, p.y > 0 ? p.y / 2 : p.y == 0 ? -1 : 2 * p.y, p.z}; }
-
-class CellFinder {
- public:
-  explicit CellFinder(const SurfaceMesh& mesh)
-      : mesh_(mesh),
-        topology_(build_topology(mesh)),
-        surfaces_(connect_by_edges(mesh, topology_)),
-        sides_(2 * mesh.triangles.size() + 1),
-        unbounded_side_(static_cast<std::uint32_t>(2 * mesh.triangles.size())) {}
-
-  [[nodiscard]] MeshCells find() {
-    join_round_edges();
-    find_outer_shells();
-    place_surfaces();
-    return number_cells();
-  }
-
- private:
-  // Where a surface is looked at from outside: its lexicographically smallest vertex, and an edge there with nothing below.
-  struct Lookout {
-    VertexId at, towards;
-    FaceId face;  // at this edge
+void measure(const SurfaceMesh& mesh, MeshCells& cells) {
+  std::vector<SurfaceMesh> boundary(cells.cells.size());
+  const auto add = [&](std::uint32_t cell, const Triangle& t) {
+    SurfaceMesh& part = boundary[cell];
+    const std::size_t first = part.points.size();
+    for (const VertexId v : t) part.points.push_back(mesh.points[v.index()]);
+    part.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
   };
-
-  [[nodiscard]] const Vec3d& position(VertexId v) const { return mesh_.points[v.index()]; }
-  [[nodiscard]] const Triangle& triangle(FaceId f) const { return mesh_.triangles[f.index()]; }
-  [[nodiscard]] std::uint32_t surface_of(FaceId f) const { return surfaces_.component_of[f.index()]; }
-
-  // Going round an edge u -> v counterclockwise one comes to the back of a face that runs along it, and leaves from its front.
-  void join_round_edges() {
-    for (std::size_t e = 0; e < topology_.edges.size(); ++e) {
-      const MeshEdgeId edge(e);
-      const auto uses = topology_.uses_of(edge);
-      std::vector<HalfEdge> round(uses.begin(), uses.end());
-      if (round.size() > 2) sort_round_edge(mesh_, topology_.edges[e], round);
-      const auto runs_along = [&](HalfEdge h) { return origin_of(mesh_, h) == topology_.edges[e][0]; };
-      for (std::size_t i = 0; i < round.size(); ++i) {
-        const HalfEdge h = round[i], next = round[(i + 1) % round.size()];
-        const std::uint32_t after = runs_along(h) ? side_in_front(face_of(h)) : side_behind(face_of(h));
-        const std::uint32_t before = runs_along(next) ? side_behind(face_of(next)) : side_in_front(face_of(next));
-        sides_.join(after, before);
-      }
-    }
+  for (std::size_t f = 0; f < mesh.triangles.size(); ++f) {
+    if (cells.behind[f] == cells.in_front[f]) continue;
+    const Triangle& t = mesh.triangles[f];
+    add(cells.behind[f], t);
+    add(cells.in_front[f], {t[0], t[2], t[1]});
   }
-
-  void find_outer_shells() {
-    find_smallest_vertices();
-    lookouts_.resize(surfaces_.count);
-    for (std::uint32_t s = 0; s < surfaces_.count; ++s) lookouts_[s].at = smallest_[s];
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) try_lookout(FaceId(f));
-    outer_side_.assign(surfaces_.count, none);
-    std::vector<HalfEdge> lowest(surfaces_.count, none);
-    for (HalfEdge h = 0; h < 3 * mesh_.triangles.size(); ++h) {
-      const std::uint32_t s = surface_of(face_of(h));
-      if (!is_at_lookout(h) || (lowest[s] != none && !comes_first(s, h, lowest[s]))) continue;
-      lowest[s] = h;
-      const bool runs_along = origin_of(mesh_, h) == lookouts_[s].at;
-      outer_side_[s] = runs_along ? side_behind(face_of(h)) : side_in_front(face_of(h));
-    }
+  for (std::size_t c = 0; c < boundary.size(); ++c) {
+    cells.cells[c].area = surface_area(boundary[c]);
+    if (c != MeshCells::unbounded) cells.cells[c].volume = enclosed_volume(boundary[c]);
   }
-
-  void find_smallest_vertices() {
-    smallest_.resize(surfaces_.count);
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
-      VertexId& smallest = smallest_[surface_of(FaceId(f))];
-      for (const VertexId v : mesh_.triangles[f]) {
-        if (!smallest.is_valid() || is_less(position(v), position(smallest))) smallest = v;
-      }
-    }
-  }
-
-  // The edge that leaves the smallest vertex at the smallest slope in (x, y).
-  void try_lookout(FaceId f) {
-    Lookout& lookout = lookouts_[surface_of(f)];
-    const Triangle& t = triangle(f);
-    if (std::find(t.begin(), t.end(), lookout.at) == t.end()) return;
-    const Vec3d& at = position(lookout.at);
-    for (const VertexId w : t) {
-      const Vec3d& end = position(w);
-      if (end.x == at.x && end.y == at.y) continue;
-      const bool is_lower = !lookout.towards.is_valid() || orient2d(at, position(lookout.towards), end, Axis::Z) == Sign::Negative;
-      if (!is_lower) continue;
-      lookout.towards = w;
-      lookout.face = f;
-    }
-  }
-
-  [[nodiscard]] bool is_at_lookout(HalfEdge h) const {
-    const Lookout& lookout = lookouts_[surface_of(face_of(h))];
-    const VertexId from = origin_of(mesh_, h), to = origin_of(mesh_, next_in_face(h));
-    return (from == lookout.at && to == lookout.towards) || (from == lookout.towards && to == lookout.at);
-  }
-
-  // Is the first half-edge's face met before the other's, turning counterclockwise round the edge from straight below?
-  [[nodiscard]] bool comes_first(std::uint32_t surface, HalfEdge h, HalfEdge other) const {
-    const Vec3d& u = position(lookouts_[surface].at);
-    const Vec3d& v = position(lookouts_[surface].towards);
-    const Vec3d& p = position(origin_of(mesh_, next_in_face(next_in_face(h))));
-    const Vec3d& q = position(origin_of(mesh_, next_in_face(next_in_face(other))));
-    const Sign to_p = orient3d(u, v, below(u), p), to_q = orient3d(u, v, below(u), q);
-    return to_p != to_q ? to_p > to_q : orient3d(u, v, p, q) == Sign::Positive;
-  }
-
-  // A surface inside a cell of others belongs to the innermost of these: the surface that bounds it lies in most others itself.
-  void place_surfaces() {
-    if (surfaces_.count == 0) return;
-    std::vector<std::vector<std::uint32_t>> around(surfaces_.count);  // sides of the shells round each surface
-    if (surfaces_.count > 1) {
-      const BoxTree tree = face_tree();
-      for (std::uint32_t s = 0; s < surfaces_.count; ++s) around[s] = shells_round(tree, s);
-    }
-    const auto depth_of = [&](std::uint32_t side) { return around[surface_of(FaceId(side / 2))].size(); };
-    for (std::uint32_t s = 0; s < surfaces_.count; ++s) {
-      const auto innermost =
-          std::max_element(around[s].begin(), around[s].end(), [&](std::uint32_t a, std::uint32_t b) { return depth_of(a) < depth_of(b); });
-      sides_to_join_.emplace_back(outer_side_[s], innermost == around[s].end() ? unbounded_side_ : *innermost);
-    }
-    for (const auto& [side, other] : sides_to_join_) sides_.join(side, other);
-  }
-
-  [[nodiscard]] BoxTree face_tree() const {
-    std::vector<Box3> boxes(mesh_.triangles.size());
-    for (std::size_t f = 0; f < boxes.size(); ++f) {
-      for (const VertexId v : mesh_.triangles[f]) boxes[f].extend(position(v));
-    }
-    return BoxTree(boxes);
-  }
-
-  // Shells of other surfaces, but for their outer ones, that wind round a surface.
-  [[nodiscard]] std::vector<std::uint32_t> shells_round(const BoxTree& tree, std::uint32_t s) {
-    const Lookout& lookout = lookouts_[s];
-    const Triangle& t = triangle(lookout.face);
-    const auto third = std::find_if(t.begin(), t.end(), [&](VertexId v) { return v != lookout.at && v != lookout.towards; });
-    const RayStart start{position(lookout.at), position(lookout.towards), position(*third)};
-    std::map<std::uint32_t, int> winding;  // by the smallest side of the shell
-    tree.for_each_meeting(ray_box(start), [&](std::uint32_t i) {
-      const FaceId f(i);
-      if (surface_of(f) == s) return;
-      const int step = winding_step(position(triangle(f)[0]), position(triangle(f)[1]), position(triangle(f)[2]), start);
-      winding[sides_.find(side_behind(f))] += step;
-      winding[sides_.find(side_in_front(f))] -= step;
-    });
-    std::vector<std::uint32_t> shells;
-    for (const auto& [side, times] : winding) {
-      const bool is_outer = sides_.find(outer_side_[surface_of(FaceId(side / 2))]) == side;
-      if (times != 0 && !is_outer) shells.push_back(side);
-    }
-    return shells;
-  }
-
-  [[nodiscard]] MeshCells number_cells() {
-    MeshCells result;
-    std::vector<std::uint32_t> cell_of_side(sides_.size(), none);
-    cell_of_side[sides_.find(unbounded_side_)] = MeshCells::unbounded;
-    result.cells.resize(1);
-    const auto cell = [&](std::uint32_t side) {
-      std::uint32_t& number = cell_of_side[sides_.find(side)];
-      if (number == none) {
-        number = static_cast<std::uint32_t>(result.cells.size());
-        result.cells.emplace_back();
-      }
-      return number;
-    };
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
-      result.behind.push_back(cell(side_behind(FaceId(f))));
-      result.in_front.push_back(cell(side_in_front(FaceId(f))));
-    }
-    measure(result);
-    return result;
-  }
-
-  void measure(MeshCells& result) const {
-    std::vector<SurfaceMesh> boundary(result.cells.size());
-    const auto add = [&](std::uint32_t cell, const Triangle& t) {
-      SurfaceMesh& part = boundary[cell];
-      const std::size_t first = part.points.size();
-      for (const VertexId v : t) part.points.push_back(position(v));
-      part.triangles.push_back({VertexId(first), VertexId(first + 1), VertexId(first + 2)});
-    };
-    for (std::size_t f = 0; f < mesh_.triangles.size(); ++f) {
-      if (result.behind[f] == result.in_front[f]) continue;
-      const Triangle& t = mesh_.triangles[f];
-      add(result.behind[f], t);
-      add(result.in_front[f], {t[0], t[2], t[1]});
-    }
-    for (std::size_t c = 0; c < boundary.size(); ++c) {
-      result.cells[c].area = surface_area(boundary[c]);
-      if (c != MeshCells::unbounded) result.cells[c].volume = enclosed_volume(boundary[c]);
-    }
-  }
-
-  const SurfaceMesh& mesh_;
-  MeshTopology topology_;
-  FaceComponents surfaces_;
-  UnionFind sides_;
-  std::uint32_t unbounded_side_;
-  std::vector<VertexId> smallest_;         // per surface
-  std::vector<Lookout> lookouts_;          // per surface
-  std::vector<std::uint32_t> outer_side_;  // per surface
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> sides_to_join_;
-};
+}
 
 }  // namespace
 
-MeshCells find_cells(const SurfaceMesh& mesh) { return CellFinder(mesh).find(); }
+MeshCells find_cells(const SurfaceMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh);
+  const SurfaceShells shells = find_shells(mesh, topology, single_faces(mesh, topology));
+  MeshCells cells;
+  for (const std::uint32_t shell : shells.behind) cells.behind.push_back(shells.cell_of_shell[shell]);
+  for (const std::uint32_t shell : shells.in_front) cells.in_front.push_back(shells.cell_of_shell[shell]);
+  cells.cells.resize(shells.cell_count);
+  measure(mesh, cells);
+  return cells;
+}
 
 }  // namespace mortise

@@ -146,7 +146,7 @@ export function send({ file }, bytes, streams) {
  * @param {string} _
  * @param {unknown} value
  */
-function asLists(_, value) {
+export function asLists(_, value) {
   return value instanceof Uint32Array || value instanceof Float64Array ? [...value] : value;
 }
 

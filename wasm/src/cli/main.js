@@ -18,6 +18,7 @@ import { extrudeVerb } from './verbs/extrude.js';
 import { imprintVerb } from './verbs/imprint.js';
 import { inspectVerb } from './verbs/inspect.js';
 import { makeVerb } from './verbs/make.js';
+import { modelVerb } from './verbs/model.js';
 import { repairVerb } from './verbs/repair.js';
 import { sliceVerb } from './verbs/slice.js';
 import { splitVerb } from './verbs/split.js';
@@ -43,6 +44,7 @@ const verbs = {
   transform: transformVerb,
   make: makeVerb,
   inspect: inspectVerb,
+  model: modelVerb,
 };
 
 const help = `mortise VERB ...
@@ -66,6 +68,7 @@ Exact booleans of triangle meshes.
   mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror
   mortise make SHAPE -o OUT [sizes]       box, sphere, cylinder, ...
   mortise inspect FILE                    counts, measures, self-intersections
+  mortise model FILE                      faces, edges, vertices and regions of a mesh
 
   mortise VERB --help, mortise --version
 

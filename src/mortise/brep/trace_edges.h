@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Model vertices, and the paths of mesh edges between them.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mortise/brep/brep.h"
+#include "mortise/brep/face_boundaries.h"
+
+namespace mortise {
+
+/// Feature edges of a mesh, and which of them were made to open faces.
+struct FeatureEdges {
+  std::vector<std::uint8_t> is_feature;  ///< per mesh edge
+  std::vector<std::uint8_t> is_seam;     ///< per mesh edge: these are features too
+};
+
+/// Marks the mesh vertices that are model vertices: where other than two features meet, where features turn by more than an
+/// angle, where the pieces along them change, and those a piece touches.
+/// @param edge_angle_deg  seams may turn
+/// @return per mesh vertex
+[[nodiscard]] std::vector<std::uint8_t> find_corners(const SurfaceMesh& mesh, const MeshTopology& topology, const FeatureEdges& features,
+                                                     const FaceComponents& pieces, const FaceBoundaries& boundaries, double edge_angle_deg);
+
+/// Paths along features from corner to corner. Closed ones without a corner start at their lexicographically lowest point, which
+/// becomes one.
+struct TracedEdges {
+  Lists<ModelEdgeId, VertexId> path;    ///< by lowest mesh edge; from the lower end on, round a closed one to the lower neighbour
+  std::vector<ModelEdgeId> edge_of;     ///< per mesh edge; invalid where it is no feature
+  std::vector<std::uint8_t> is_corner;  ///< per mesh vertex
+};
+
+[[nodiscard]] TracedEdges trace_edges(const SurfaceMesh& mesh, const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature,
+                                      std::vector<std::uint8_t> is_corner);
+
+}  // namespace mortise
