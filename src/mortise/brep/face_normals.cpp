@@ -22,15 +22,18 @@ Vec3d corner(const SurfaceMesh& mesh, std::size_t f, std::size_t k) { return mes
 // Zero for a sliver.
 Vec3d normal_of(const SurfaceMesh& mesh, std::size_t f) {
   const Vec3d a = corner(mesh, f, 0), b = corner(mesh, f, 1), c = corner(mesh, f, 2);
-  const double size = std::max({largest_part(b - a), largest_part(c - a), largest_part(c - b)});
-  if (size == 0) return {0, 0, 0};
-  const double scale = 1 / size;
-  const Vec3d u = scale * (b - a), v = scale * (c - a), w = scale * (c - b);
+  Vec3d u = b - a, v = c - a, w = c - b;
+  double longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
+  const bool is_ordinary = longest > 1e-60 && longest < 1e60;  // else products leave the range of doubles
+  if (!is_ordinary) {
+    const double scale = 1 / std::max({largest_part(u), largest_part(v), largest_part(w)});
+    u = scale * u, v = scale * v, w = scale * w;
+    longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
+  }
   const Vec3d normal = cross(u, v);
-  const double longest = std::max({dot(u, u), dot(v, v), dot(w, w)});
-  const double height = std::sqrt(dot(normal, normal));  // times the longest edge, which is 1 to 1.8
-  if (!(height >= least_height * longest)) return {0, 0, 0};
-  return (1 / height) * normal;
+  const double square = dot(normal, normal);  // of the height times the longest edge
+  if (!(square >= least_height * least_height * longest * longest)) return {0, 0, 0};
+  return (1 / std::sqrt(square)) * normal;
 }
 
 HalfEdge longest_half_edge(const SurfaceMesh& mesh, std::size_t f) {

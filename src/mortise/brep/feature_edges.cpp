@@ -28,6 +28,8 @@ class FeatureFinder {
 
   [[nodiscard]] std::vector<std::uint8_t> find() {
     refuse_angles();
+    if (!rules_.groups.empty() && rules_.groups.size() != mesh_.triangles.size())
+      throw Error(ErrorCode::InvalidArgument, stage_name, "there is not one group per triangle");
     mark_by_triangles();
     mark_user_edges();
     if (rules_.weak_angle_deg) keep_weak_that_continue();
@@ -61,8 +63,10 @@ class FeatureFinder {
   [[nodiscard]] bool parts_faces(HalfEdge h, HalfEdge other) const {
     if (origin_of(mesh_, h) == origin_of(mesh_, other)) return true;
     if (!mesh_.walls.empty() && mesh_.walls[face_of(h).index()] != mesh_.walls[face_of(other).index()]) return true;
-    const std::vector<std::uint32_t>& labels = mesh_.face_labels;
-    return rules_.splits_at_labels && !labels.empty() && labels[face_of(h).index()] != labels[face_of(other).index()];
+    const auto differ = [&](const std::vector<std::uint32_t>& numbers) {
+      return !numbers.empty() && numbers[face_of(h).index()] != numbers[face_of(other).index()];
+    };
+    return differ(rules_.groups) || (rules_.splits_at_labels && differ(mesh_.face_labels));
   }
 
   // 1 where a triangle has no normal.

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "mortise/base/ids.h"
+
 namespace mortise {
 
 /// How a facet of a result lies to the operands other than its own (the paper's tags: 10 and 20 Outside, 11 and 21 Inside).
@@ -39,5 +41,22 @@ struct Provenance {
     return keeps_regions_apart ? covering_set : covering_sets[covering_set].empty() ? 0 : 1;
   }
 };
+
+/// A triangle of an operand that a facet is a part of.
+struct FacetOrigin {
+  std::uint32_t operand = 0, face = 0;
+  bool is_flipped = false;  ///< the facet runs against it
+};
+
+/// Calls visit(FacetOrigin) for the first source of a facet, then for the further ones.
+template <class Visit>
+void for_each_source(const Provenance& p, FaceId facet, Visit visit) {
+  const std::size_t t = facet.index();
+  visit(FacetOrigin{p.source_operand[t], p.source_face[t], p.flipped[t] != 0});
+  if (p.other_source_begin.empty()) return;
+  for (std::uint32_t i = p.other_source_begin[t]; i < p.other_source_begin[t + 1]; ++i) {
+    visit(FacetOrigin{p.other_source_operand[i], p.other_source_face[i], p.other_source_flipped[i] != 0});
+  }
+}
 
 }  // namespace mortise
