@@ -9,6 +9,7 @@
 #include "mortise/base/trig.h"
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/imprint.h"
+#include "mortise/brep/model_queries.h"
 #include "mortise/brep/validate_brep.h"
 #include "mortise/mesh/shapes.h"
 #include "mortise/mesh/transform.h"
@@ -91,6 +92,23 @@ SurfaceMesh cylinder_with_caps() {
   add_cap(0, 13 * 17, true, mesh);
   add_cap(12 * 17, 13 * 17 + 6, false, mesh);
   return mesh;
+}
+
+/// Every triangle in four.
+SurfaceMesh halved(const SurfaceMesh& mesh) {
+  const MeshTopology topology = build_topology(mesh);
+  SurfaceMesh result;
+  result.points = mesh.points;
+  for (const auto& [a, b] : topology.edges) result.points.push_back(0.5 * (mesh.points[a.index()] + mesh.points[b.index()]));
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const Triangle& c = mesh.triangles[t];
+    const auto middle = [&](std::size_t k) { return VertexId(mesh.points.size() + topology.edge_of[3 * t + k].index()); };
+    for (const Triangle& part : {Triangle{c[0], middle(0), middle(2)}, Triangle{c[1], middle(1), middle(0)},
+                                 Triangle{c[2], middle(2), middle(1)}, Triangle{middle(0), middle(1), middle(2)}}) {
+      result.triangles.push_back(part);
+    }
+  }
+  return result;
 }
 
 SurfaceMesh result_of(Operation operation, const std::vector<SurfaceMesh>& operands) {
@@ -206,6 +224,33 @@ TEST_CASE("crossing cylinders have the model of Fig. 17", "[brep][paper]") {
   CHECK(edges_and_loops(Seams::None) == std::pair<std::size_t, std::size_t>(0, 12));
   CHECK(edges_and_loops(Seams::Annulus) == std::pair<std::size_t, std::size_t>(2, 10));
   CHECK(edges_and_loops(Seams::Disc) == std::pair<std::size_t, std::size_t>(5, 7));
+}
+
+TEST_CASE("holes through a coarse box and a fine one have one model (Fig. 27)", "[brep][paper]") {
+  SurfaceMesh coarse = box({0, 0, 0}, {8, 4, 1}), fine = coarse;
+  for (int level = 0; level < 4; ++level) fine = halved(fine);
+  const SurfaceMesh hole = moved(make_cylinder(0.75, 2, 64), {0, 0, -0.5});
+  const std::vector<SurfaceMesh> holes{moved(hole, {1.5, 2, 0}), moved(hole, {4, 2.25, 0}), moved(hole, {6.5, 1.75, 0})};
+  for (const SurfaceMesh& plate : {coarse, fine}) {
+    std::vector<SurfaceMesh> operands{plate};
+    operands.insert(operands.end(), holes.begin(), holes.end());
+    const SurfaceMesh drilled = result_of(Operation::Subtract, operands);
+    BrepRules rules = rules_with(Seams::None);
+    const ClassifiedBrep model = sound_model(drilled, rules);
+    CHECK(counts_of(model.brep) == Counts{14, 18, 9, 1});
+    std::size_t with_four_loops = 0;
+    double area = 0;
+    const ModelView view = view_of(drilled, model);
+    for (std::uint32_t f = 0; f < 9; ++f) {
+      if (model.brep.loops_of_face.of(ModelFaceId(f)).size() != 4) continue;
+      ++with_four_loops;
+      area += measure(view, {EntityDimension::Face, f});
+    }
+    CHECK(with_four_loops == 2);
+    const double polygon = 32 * 0.75 * 0.75 * trig::sin_deg(360.0 / 64);
+    CHECK(area == Approx(2 * (32 - 3 * polygon)).epsilon(1e-12));
+    CHECK(counts(drilled) == Counts{14, 21, 9, 1});
+  }
 }
 
 TEST_CASE("open sheets, cavities and several solids have their regions", "[brep]") {
