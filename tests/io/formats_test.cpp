@@ -14,7 +14,14 @@ using namespace mortise::test;
 
 namespace {
 
-constexpr std::array all_formats{Format::Obj, Format::Off, Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii};
+constexpr std::array all_formats{Format::Obj,   Format::Off,   Format::PlyBinary, Format::PlyAscii, Format::StlBinary, Format::StlAscii,
+                                 Format::Msh41, Format::Msh22, Format::Vtk,       Format::Vtu,      Format::Medit};
+
+/// A name whose extension tells the format.
+std::string file_name(Format format) {
+  const std::string_view name = format_name(format);
+  return "mesh." + std::string(name.substr(0, name.find('-')));
+}
 
 }  // namespace
 
@@ -44,6 +51,27 @@ TEST_CASE("Without a hint in name or content the format is unknown") {
   CHECK(error_of([] { return format_from_name("dxf"); }).code == ErrorCode::UnknownFormat);
 }
 
+TEST_CASE("Formats that are written only have names, and reading them says so") {
+  CHECK(format_from_path("out.inp") == Format::Abaqus);
+  CHECK(format_from_path("out.bdf") == Format::Nastran);
+  CHECK(format_from_path("out.NAS") == Format::Nastran);
+  for (const Format format : {Format::Abaqus, Format::Nastran}) {
+    CHECK_FALSE(is_readable_format(format));
+    CHECK(format_from_name(format_name(format)) == format);
+    const Error error = error_of([&] { return read_mesh(write_mesh(float_tetrahedron(), format), file_name(format)); });
+    CHECK(error.code == ErrorCode::UnknownFormat);
+    CHECK(error.message == "files of the format " + std::string(format_name(format)) + " are written, not read");
+  }
+}
+
+TEST_CASE("Labels keep their names in every format that has room for names") {
+  for (const Format format : {Format::Obj, Format::StlAscii, Format::Msh41, Format::Msh22, Format::Vtk, Format::Vtu, Format::Medit}) {
+    CAPTURE(format_name(format));
+    const SurfaceMesh mesh = awkward_tetrahedron();
+    CHECK(face_names(read_mesh(write_mesh(mesh, format), "")) == face_names(mesh));
+  }
+}
+
 TEST_CASE("A mesh written in any format is read back bit for bit through one door") {
   for (const Format format : all_formats) {
     CAPTURE(format_name(format));
@@ -61,8 +89,7 @@ TEST_CASE("A file cut off anywhere gives a mesh or an error that names a line or
     const std::string bytes = write_mesh(float_tetrahedron(), format);
     for (std::size_t size = 0; size < bytes.size(); ++size) {
       try {
-        const SurfaceMesh mesh =
-            read_mesh(std::string_view(bytes).substr(0, size), "mesh." + std::string(format_name(format)).substr(0, 3));
+        const SurfaceMesh mesh = read_mesh(std::string_view(bytes).substr(0, size), file_name(format));
         REQUIRE(mesh.triangles.size() <= 4);
       } catch (const Error& error) {
         CAPTURE(format_name(format), size, error.message);
@@ -80,7 +107,7 @@ TEST_CASE("A file with random damage gives a mesh with sound indices or a typed 
   std::size_t meshes = 0;
   std::size_t errors = 0;
   for (const Format format : all_formats) {
-    const std::string name = "mesh." + std::string(format_name(format)).substr(0, 3);
+    const std::string name = file_name(format);
     const std::string sound = write_mesh(float_tetrahedron(), format);
     for (std::size_t i = 0; i < scaled_count(3000, 100000); ++i) {
       std::string bytes = sound;
@@ -88,7 +115,7 @@ TEST_CASE("A file with random damage gives a mesh with sound indices or a typed 
         const std::size_t at = static_cast<std::size_t>(random() % bytes.size());
         const std::uint64_t kind = random() % 4;
         if (kind == 0) bytes[at] = static_cast<char>(random() % 256);
-        if (kind == 1) bytes[at] = "0123456789 \n-+.e/\\#"[random() % 19];
+        if (kind == 1) bytes[at] = "0123456789 \n-+.e/\\#<>$"[random() % 22];
         if (kind == 2) bytes.erase(at, 1);
         if (kind == 3) bytes.insert(at, 1, bytes[static_cast<std::size_t>(random() % bytes.size())]);
         if (bytes.empty()) bytes = "x";

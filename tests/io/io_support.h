@@ -10,6 +10,7 @@
 
 #include "mortise/base/bits.h"
 #include "mortise/base/error.h"
+#include "mortise/io/entity_mesh.h"
 #include "mortise/mesh/surface_mesh.h"
 #include "support/catch.h"
 
@@ -83,6 +84,57 @@ inline SurfaceMesh float_tetrahedron() {
   SurfaceMesh mesh = awkward_tetrahedron();
   mesh.points = {{0.25, -0.0, 1}, {2, static_cast<double>(0.1F), 0}, {1, 3, static_cast<double>(1e-40F)}, {0.5, 1, -16777215}};
   return mesh;
+}
+
+/// Two tetrahedra on one triangle, as a partition has them: regions 1 (below the triangle) and 2, faces 2 and 4 round them, 7 between them,
+/// its rim as the closed edge 3 from vertex 9 to itself. Face 2 is in two groups, face 4 in none, group 5 has no name, point 5 is loose.
+inline EntityMesh two_regions() {
+  EntityMesh mesh;
+  mesh.points = awkward_tetrahedron().points;
+  mesh.points.push_back({1, 2, 1.0 / 7});
+  mesh.points.push_back({1e-9, 5, 5});
+  mesh.point_elements = {VertexId(1)};
+  mesh.point_entities = {0};
+  mesh.lines = {{VertexId(1), VertexId(2)}, {VertexId(2), VertexId(0)}, {VertexId(0), VertexId(1)}};
+  mesh.line_entities = {0, 0, 0};
+  mesh.triangles = {triangle(0, 1, 3), triangle(0, 1, 2), triangle(1, 2, 3), triangle(1, 0, 4),
+                    triangle(2, 0, 3), triangle(2, 1, 4), triangle(0, 2, 4)};
+  mesh.triangle_entities = {1, 2, 1, 0, 1, 0, 0};
+  mesh.names = {{2, 11, "wall"}, {2, 4, "left, outer \xC3\xA4"}, {1, 11, "the rim"}, {2, 5, ""}, {0, 1, "fix"}, {3, 11, "steel"},
+                {3, 12, "air"}};
+  mesh.entities[0] = {{9, {4}, {}}};
+  mesh.entities[1] = {{3, {2}, {9, 9}}};
+  mesh.entities[2] = {{2, {1, 0}, {-3}}, {4, {}, {3}}, {7, {3}, {3}}};
+  mesh.entities[3] = {{1, {5}, {2, 7}}, {2, {6}, {4, -7}}};
+  return mesh;
+}
+
+/// What is left of it where regions and boundaries have no place.
+inline EntityMesh two_regions_flattened() {
+  EntityMesh mesh = two_regions();
+  mesh.entities[3].clear();
+  for (std::size_t dimension = 0; dimension < 3; ++dimension) {
+    for (MeshEntity& entity : mesh.entities[dimension]) entity.boundary.clear();
+  }
+  return mesh;
+}
+
+inline std::vector<std::uint64_t> point_bits(const EntityMesh& mesh) { return point_bits(SurfaceMesh{mesh.points, {}, {}, {}, {}, {}}); }
+
+/// Fails unless the meshes are the same, coordinates bit for bit.
+inline void check_same(const EntityMesh& mesh, const EntityMesh& expected) {
+  CHECK(point_bits(mesh) == point_bits(expected));
+  CHECK(mesh.point_elements == expected.point_elements);
+  CHECK(mesh.lines == expected.lines);
+  CHECK(mesh.triangles == expected.triangles);
+  CHECK(mesh.point_entities == expected.point_entities);
+  CHECK(mesh.line_entities == expected.line_entities);
+  CHECK(mesh.triangle_entities == expected.triangle_entities);
+  CHECK((mesh.names == expected.names));
+  for (std::size_t dimension = 0; dimension < 4; ++dimension) {
+    CAPTURE(dimension);
+    CHECK((mesh.entities[dimension] == expected.entities[dimension]));
+  }
 }
 
 }  // namespace mortise::test

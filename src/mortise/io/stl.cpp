@@ -25,43 +25,6 @@ constexpr std::size_t probe_size = 1024;
 
 // ---- Text -----------------------------------------------------------------------------------------------------------
 
-/// Hands out the words of a text across its lines.
-class WordReader {
- public:
-  explicit WordReader(std::string_view text) : lines_(text, read_stage) {}
-
-  /// The next word; empty at the end of the text.
-  std::string_view next() {
-    for (;;) {
-      const std::string_view word = take_word(rest_);
-      if (!word.empty()) return word;
-      if (!lines_.next()) return {};
-      rest_ = lines_.line();
-    }
-  }
-
-  /// What is left of the current line.
-  std::string_view rest_of_line() {
-    const std::string_view rest = trim(rest_);
-    rest_ = {};
-    return rest;
-  }
-
-  void expect(std::string_view keyword) {
-    const std::string_view word = next();
-    if (!equals_ignoring_case(word, keyword))
-      fail("'" + std::string(keyword) + "' is expected" + (word.empty() ? " but the file ends" : ""));
-  }
-
-  [[noreturn]] void fail(const std::string& message) const { fail_at_line(ErrorCode::ParseFailed, lines_.place(), message); }
-
-  [[nodiscard]] const TextPlace& place() const { return lines_.place(); }
-
- private:
-  LineReader lines_;
-  std::string_view rest_;
-};
-
 void skip_normal(WordReader& words) {
   words.expect("normal");
   for (int i = 0; i < 3; ++i) {
@@ -103,7 +66,7 @@ void read_solid(WordReader& words, LabelTable& labels, PolygonSoup& soup) {
 }
 
 SurfaceMesh read_ascii(std::string_view text) {
-  WordReader words(text);
+  WordReader words(LineReader(text, read_stage));
   LabelTable labels;
   PolygonSoup soup;
   words.expect("solid");
@@ -218,7 +181,7 @@ bool is_binary_stl(std::string_view bytes) {
 }
 
 bool is_ascii_stl(std::string_view bytes) {
-  WordReader words(bytes.substr(0, probe_size));
+  WordReader words(LineReader(bytes.substr(0, probe_size), read_stage));
   if (!equals_ignoring_case(words.next(), "solid")) return false;
   static_cast<void>(words.rest_of_line());
   const std::string_view word = words.next();
@@ -227,7 +190,7 @@ bool is_ascii_stl(std::string_view bytes) {
 
 SurfaceMesh read_stl(std::string_view bytes) {
   if (is_binary_stl(bytes)) return read_binary(bytes);
-  WordReader words(bytes.substr(0, probe_size));
+  WordReader words(LineReader(bytes.substr(0, probe_size), read_stage));
   return equals_ignoring_case(words.next(), "solid") && bytes.find('\0') == std::string_view::npos ? read_ascii(bytes) : read_binary(bytes);
 }
 

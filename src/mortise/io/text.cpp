@@ -33,7 +33,8 @@ void fail_at_byte(ErrorCode code, std::string_view stage, std::size_t offset, co
   throw Error(code, stage, "byte " + std::to_string(offset) + ": " + message).with_ids(IdKind::Byte, {byte});
 }
 
-LineReader::LineReader(std::string_view text, std::string_view stage) : text_(text), place_{stage, 0} {
+LineReader::LineReader(std::string_view text, std::string_view stage, std::uint32_t lines_before)
+    : text_(text), place_{stage, lines_before} {
   if (text.substr(0, byte_order_mark.size()) == byte_order_mark) offset_ = byte_order_mark.size();
 }
 
@@ -54,6 +55,37 @@ bool LineReader::next_content() {
     if (!trim(line_).empty()) return true;
   }
   return false;
+}
+
+std::string_view WordReader::next() {
+  for (;;) {
+    const std::string_view word = take_word(rest_);
+    if (!word.empty()) return word;
+    if (!next_line()) return {};
+  }
+}
+
+bool WordReader::next_line() {
+  rest_ = {};
+  if (!lines_.next()) return false;
+  rest_ = comments_ == Comments::Keep ? lines_.line() : cut_comment(lines_.line());
+  return true;
+}
+
+std::string_view WordReader::rest_of_line() {
+  const std::string_view rest = trim(rest_);
+  rest_ = {};
+  return rest;
+}
+
+void WordReader::skip_paragraph() {
+  rest_ = {};
+  while (lines_.next() && !trim(lines_.line()).empty()) continue;
+}
+
+void WordReader::expect(std::string_view keyword) {
+  const std::string_view word = next();
+  if (!equals_ignoring_case(word, keyword)) fail("'" + std::string(keyword) + "' is expected" + (word.empty() ? " but the file ends" : ""));
 }
 
 std::string_view take_word(std::string_view& rest) {
@@ -126,6 +158,24 @@ std::uint32_t read_count(std::string_view word, const TextPlace& place, std::str
     fail_at_line(ErrorCode::ParseFailed, place, std::string(what) + " " + quote(word) + " is out of range");
   }
   return static_cast<std::uint32_t>(count);
+}
+
+std::int32_t read_tag(std::string_view word, const TextPlace& place, std::string_view what, std::int32_t least) {
+  const std::int64_t tag = read_integer(word, place, what);
+  if (tag < least || tag > std::numeric_limits<std::int32_t>::max()) {
+    fail_at_line(ErrorCode::ParseFailed, place, std::string(what) + " " + quote(word) + " is out of range");
+  }
+  return static_cast<std::int32_t>(tag);
+}
+
+std::uint32_t read_vertex_index(std::string_view word, const TextPlace& place, std::uint32_t first, std::size_t count) {
+  const std::int64_t index = read_integer(word, place, "a vertex index");
+  if (index < first || static_cast<std::uint64_t>(index - first) >= count) {
+    fail_at_line(ErrorCode::BadIndex, place,
+                 "the element names vertex " + std::to_string(index) + " of " + std::to_string(count) + " (the first is " +
+                     std::to_string(first) + ")");
+  }
+  return static_cast<std::uint32_t>(index - first);
 }
 
 void append_point(std::string& text, const Vec3d& point) {

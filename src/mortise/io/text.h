@@ -28,7 +28,8 @@ struct TextPlace {
 /// Hands out the lines of a text without their ends: LF, CRLF or CR. A byte order mark in front is skipped.
 class LineReader {
  public:
-  LineReader(std::string_view text, std::string_view stage);
+  /// @param lines_before  how many lines of the file come before the text
+  LineReader(std::string_view text, std::string_view stage, std::uint32_t lines_before = 0);
 
   /// Moves to the next line; false after the last one.
   bool next();
@@ -40,12 +41,43 @@ class LineReader {
   [[nodiscard]] const TextPlace& place() const { return place_; }
   /// Offset of the first byte behind the current line and its end.
   [[nodiscard]] std::size_t offset() const { return offset_; }
+  [[nodiscard]] std::size_t bytes_left() const { return text_.size() - offset_; }
 
  private:
   std::string_view text_;
   std::string_view line_;
   std::size_t offset_ = 0;
   TextPlace place_;
+};
+
+enum class Comments : unsigned char { Keep, CutFromHash };
+
+/// Hands out the words of a text across its lines.
+class WordReader {
+ public:
+  explicit WordReader(const LineReader& lines, Comments comments = Comments::Keep) : lines_(lines), comments_(comments) {}
+
+  /// The next word; empty at the end of the text.
+  std::string_view next();
+  /// What is left of the current line.
+  std::string_view rest_of_line();
+  /// Moves to the beginning of the next line; false after the last one.
+  bool next_line();
+  /// Moves behind the next empty line.
+  void skip_paragraph();
+
+  /// Reads over a word, in any case; `keyword` has no capitals.
+  /// @throws Error{ParseFailed} when another word, or none, is there
+  void expect(std::string_view keyword);
+  [[noreturn]] void fail(const std::string& message) const { fail_at_line(ErrorCode::ParseFailed, place(), message); }
+  [[nodiscard]] const TextPlace& place() const { return lines_.place(); }
+  /// Bytes of the text behind the current line.
+  [[nodiscard]] std::size_t bytes_left() const { return lines_.bytes_left(); }
+
+ private:
+  LineReader lines_;
+  Comments comments_;
+  std::string_view rest_;
 };
 
 /// Cuts the first word off `rest` and returns it; empty when there is none. Words are separated by spaces and tabs.
@@ -78,6 +110,14 @@ class LineReader {
 /// A count that is at least 0 and fits 32 bits, read from one word.
 /// @throws Error{ParseFailed} with the line
 [[nodiscard]] std::uint32_t read_count(std::string_view word, const TextPlace& place, std::string_view what);
+
+/// A number from `least` that fits 31 bits, read from one word: the tag of an entity or a group.
+/// @throws Error{ParseFailed} with the line
+[[nodiscard]] std::int32_t read_tag(std::string_view word, const TextPlace& place, std::string_view what, std::int32_t least);
+
+/// The place from 0 of a vertex that a word names, where the first of `count` is called `first`.
+/// @throws Error{ParseFailed, BadIndex} with the line
+[[nodiscard]] std::uint32_t read_vertex_index(std::string_view word, const TextPlace& place, std::uint32_t first, std::size_t count);
 
 /// Appends "x y z", each the shortest text that reads back as the same bits.
 void append_point(std::string& text, const Vec3d& point);
