@@ -348,11 +348,6 @@ void append_cells(const CellGrid& grid, std::string& text) {
   for (const std::uint8_t type : grid.types) text.append(std::to_string(int{type})).append("\n");
 }
 
-void append_cell_array(std::string_view name, const std::vector<std::int64_t>& numbers, std::string& text) {
-  text.append("SCALARS ").append(name).append(" int 1\nLOOKUP_TABLE default\n");
-  for (const std::int64_t number : numbers) text.append(std::to_string(number)).append("\n");
-}
-
 }  // namespace
 
 bool is_vtk(std::string_view bytes) { return bytes.substr(0, magic.size()) == magic; }
@@ -370,16 +365,17 @@ std::string write_vtk(const EntityMesh& mesh) {
   const CellGrid grid = cell_grid_of(mesh);
   std::string text(magic);
   text += " 3.0\nMortise\nASCII\nDATASET UNSTRUCTURED_GRID\n";
-  append_groups(grid.groups, text);
   text.append("POINTS ").append(std::to_string(grid.points.size())).append(" double\n");
   for (const Vec3d& point : grid.points) {
     append_point(text, point);
     text += '\n';
   }
   append_cells(grid, text);
+  append_groups(grid.groups, text);
   text.append("CELL_DATA ").append(std::to_string(grid.cell_count())).append("\n");
-  append_cell_array("entity", grid.entities, text);
-  append_cell_array("group", grid.tags, text);
+  text += "FIELD FieldData 2\n";
+  append_field_array("entity", 1, grid.entities, text);
+  append_field_array("group", 1, grid.tags, text);
   return text;
 }
 
