@@ -70,3 +70,32 @@ TEST_CASE("No more memory is reserved for a promise than the bytes left can hold
   CHECK(believable_count(4000000000U, 60, 6) == 11);
   CHECK(believable_count(5, 0, 6) == 1);
 }
+
+TEST_CASE("Words are handed out across lines, comments cut where asked") {
+  const std::string text = "a b # c\n\n  d\r\ne f\n\ng";
+  WordReader words(LineReader(text, "stage", 10), Comments::CutFromHash);
+  CHECK(words.next() == "a");
+  CHECK(words.rest_of_line() == "b");
+  CHECK(words.next() == "d");
+  CHECK(words.place().line == 13);
+  words.skip_paragraph();
+  CHECK(words.next() == "g");
+  CHECK(words.next().empty());
+  CHECK_FALSE(words.next_line());
+  WordReader kept(LineReader(text, "stage"));
+  kept.expect("a");
+  CHECK(kept.rest_of_line() == "b # c");
+  check_error(ErrorCode::ParseFailed, "stage", IdKind::Line, 3, [&] { return kept.expect("x"), 0; });
+}
+
+TEST_CASE("Tags fit 31 bits and vertices are among those there are") {
+  const TextPlace place{"stage", 4};
+  CHECK(read_tag("2147483647", place, "a tag", 1) == 2147483647);
+  CHECK(read_vertex_index("3", place, 1, 3) == 2);
+  for (const char* word : {"0", "2147483648", "x", ""}) {
+    check_error(ErrorCode::ParseFailed, "stage", IdKind::Line, 4, [&] { return read_tag(word, place, "a tag", 1); });
+  }
+  for (const char* word : {"0", "4", "-1", "9999999999"}) {
+    check_error(ErrorCode::BadIndex, "stage", IdKind::Line, 4, [&] { return read_vertex_index(word, place, 1, 3); });
+  }
+}
