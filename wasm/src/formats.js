@@ -3,5 +3,17 @@
 // The names of the file formats.
 // @ts-check
 
-/** The plain extension means the binary kind. */
-export const formats = ['stl', 'stl-ascii', 'obj', 'ply', 'ply-ascii', 'off'];
+/**
+ * The plain extension means the binary kind, or the newest version.
+ * @type {import('./index.js').ReadableFormat[]}
+ */
+export const readableFormats = ['stl', 'stl-ascii', 'obj', 'ply', 'ply-ascii', 'off', 'msh', 'msh22', 'vtk', 'vtu', 'mesh'];
+
+/** @type {import('./index.js').Format[]} */
+export const writtenOnly = ['inp', 'bdf'];
+
+/**
+ * All that can be written.
+ * @type {import('./index.js').Format[]}
+ */
+export const formats = [...readableFormats, ...writtenOnly];

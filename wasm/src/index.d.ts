@@ -567,11 +567,15 @@ export interface Model {
   entityOf(meshVertex: number): { dimension: 'vertex' | 'edge' | 'face' | 'none'; id: number };
 }
 
-export type Format = 'stl' | 'stl-ascii' | 'obj' | 'ply' | 'ply-ascii' | 'off';
+/** 'msh' is version 4.1, 'mesh' is MEDIT. */
+export type ReadableFormat = 'stl' | 'stl-ascii' | 'obj' | 'ply' | 'ply-ascii' | 'off' | 'msh' | 'msh22' | 'vtk' | 'vtu' | 'mesh';
+
+/** What can be written: 'inp' (Abaqus) and 'bdf' (Nastran) are not read. */
+export type Format = ReadableFormat | 'inp' | 'bdf';
 
 export interface ReadOptions {
   /** Default: by the name, then by the content. */
-  format?: Format;
+  format?: ReadableFormat;
   /** Name of the file the bytes come from. */
   name?: string;
 }

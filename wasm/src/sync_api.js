@@ -21,7 +21,7 @@ import {
   splitOperands,
 } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
-import { formats } from './formats.js';
+import { formats, readableFormats } from './formats.js';
 import { meshOperations } from './mesh_operations.js';
 import { Model, checkModelOptions } from './model.js';
 import { placesOf } from './places.js';
@@ -106,9 +106,12 @@ function nameOf(path) {
   return path instanceof URL ? decodeURIComponent(path.pathname) : path;
 }
 
-/** @param {any} format */
-function checkFormat(format) {
-  if (format !== undefined && !formats.includes(format)) throw new MeshError('UNKNOWN_FORMAT', `the formats are ${formats.join(', ')}, not ${describe(format)}`);
+/**
+ * @param {any} format
+ * @param {string[]} known
+ */
+function checkFormat(format, known) {
+  if (format !== undefined && !known.includes(format)) throw new MeshError('UNKNOWN_FORMAT', `the formats are ${known.join(', ')}, not ${describe(format)}`);
   return format;
 }
 
@@ -254,7 +257,7 @@ function inspectMesh(session, mesh) {
  */
 function readMesh(session, source, options) {
   const { format, name } = checkOptions(options, ['format', 'name']);
-  checkFormat(format);
+  checkFormat(format, readableFormats);
   const bytes = isPath(source) ? session.host.readFile(source) : checkBytes(source);
   const known = format === undefined ? (name ?? (isPath(source) ? nameOf(source) : '')) : `mesh.${format}`;
   return ask(session, (core) => core.readMesh(bytes, String(known)));
@@ -271,7 +274,7 @@ function writeMesh(session, args) {
   const [mesh, options] = toFile ? args.slice(1) : args;
   const checked = checkMesh(mesh, 'mesh');
   const { format } = checkOptions(options, ['format']);
-  if (checkFormat(format) === undefined && !toFile) throw invalidArgument('writeMesh(mesh, {format}) needs the format');
+  if (checkFormat(format, formats) === undefined && !toFile) throw invalidArgument('writeMesh(mesh, {format}) needs the format');
   const written = format ?? ask(session, (core) => core.formatOfPath(nameOf(args[0])));
   const bytes = ask(session, (core) => core.writeMesh(checked, written), [checked]);
   return toFile ? session.host.writeFile(args[0], bytes) : bytes;

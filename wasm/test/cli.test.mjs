@@ -154,6 +154,17 @@ test('- reads the standard input and writes the standard output', (t) => {
   assert.equal(JSON.parse(run(['inspect', '-', '--json'], { input: piped.bytes }).out).volume, 15);
 });
 
+test('the ending chooses a format of analysis programs, and one that is written only is no format of the standard input', (t) => {
+  const cwd = cubes(t);
+  report(cwd, 'union', 'a.ply', 'b.obj', '-o', 'out.msh');
+  assert.match(readFileSync(join(cwd, 'out.msh'), 'utf8'), /^\$MeshFormat\n4\.1 0 8\n/);
+  report(cwd, 'transform', 'out.msh', '-o', 'out.nas', '--scale', '2');
+  assert.match(readFileSync(join(cwd, 'out.nas'), 'utf8'), /^BEGIN BULK$/m);
+  const done = run(['transform', '-', '-o', '-', '--format', 'inp', '--scale', '2', '--quiet'], { cwd, input: readFileSync(join(cwd, 'out.msh')) });
+  assert.equal(done.code, 0);
+  assert.match(done.out, /^\*ELEMENT, TYPE=S3/m);
+});
+
 test('--format decides over the ending', (t) => {
   const cwd = cubes(t);
   report(cwd, 'union', 'a.ply', 'b.obj', '-o', 'out.stl', '--format', 'stl-ascii');

@@ -12,7 +12,7 @@ import { inspect, load, make, readMesh, roundToFloat32, subtract, transform, wri
 
 import { cube, soupOf, temporaryFolder } from './support.mjs';
 
-const formats = ['stl', 'stl-ascii', 'obj', 'ply', 'ply-ascii', 'off'];
+const formats = ['stl', 'stl-ascii', 'obj', 'ply', 'ply-ascii', 'off', 'msh', 'msh22', 'vtk', 'vtu', 'mesh'];
 
 test('every format but float32 STL gives back the bits it was given', async () => {
   const ball = await transform(await make('icosphere', { levels: 2 }), [{ scale: 1 / 3 }, { rotateX: 10 }]);
@@ -33,7 +33,7 @@ test('the content tells the format of bytes', async () => {
 
 test('files are named by path or URL, their format by the ending', async (t) => {
   const folder = temporaryFolder(t);
-  for (const ending of ['stl', 'obj', 'ply', 'off', 'STL']) {
+  for (const ending of ['stl', 'obj', 'ply', 'off', 'STL', 'msh', 'vtk', 'vtu', 'mesh']) {
     const path = join(folder, `cube with blanks.${ending}`);
     assert.equal(await writeMesh(path, cube()), undefined);
     assert.equal((await readMesh(path)).triangles.length, 36);
@@ -73,6 +73,34 @@ test('groups of an OBJ become labels and are written again', async () => {
   assert.equal(new Set(names(mesh)).size, 2);
   const again = await readMesh(await writeMesh(mesh, { format: 'obj' }), { format: 'obj' });
   assert.deepEqual(names(again), names(mesh));
+});
+
+test('labels are named groups in the formats of analysis programs', async () => {
+  const mesh = { ...cube(), faceLabels: new Uint32Array(12).map((_, i) => (i < 2 ? 1 : 0)), labelNames: ['wall', 'in let \u00e4'] };
+  const names = (m) => [...m.faceLabels].map((label) => m.labelNames[label]);
+  for (const format of ['msh', 'msh22', 'vtk', 'vtu', 'mesh']) {
+    const again = await readMesh(await writeMesh(mesh, { format }), { format });
+    assert.deepEqual(names(again), names(mesh), format);
+  }
+});
+
+test('inp and bdf are written, with the names of labels, and not read', async () => {
+  const mesh = { ...cube(), faceLabels: new Uint32Array(12), labelNames: ['wall'] };
+  const texts = { inp: /^\*ELSET, ELSET=wall$/m, bdf: /^\$HMNAME COMP +1"wall"$/m };
+  for (const [format, pattern] of Object.entries(texts)) {
+    const bytes = await writeMesh(mesh, { format });
+    assert.match(new TextDecoder().decode(bytes), pattern);
+    await assert.rejects(readMesh(bytes, { format }), { code: 'UNKNOWN_FORMAT' });
+    await assert.rejects(readMesh(bytes, { name: `deck.${format}` }), { code: 'UNKNOWN_FORMAT', message: /written, not read/ });
+  }
+});
+
+test('volume elements of analysis files are refused with their line', async () => {
+  const text = '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 1 1 1\n$EndElements\n';
+  await assert.rejects(readMesh(new TextEncoder().encode(text)), (error) => {
+    assert.deepEqual([error.code, error.details.kind, error.details.ids], ['PARSE_FAILED', 'line', [10]]);
+    return true;
+  });
 });
 
 test('steps are done in the order given', async () => {

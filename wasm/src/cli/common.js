@@ -4,7 +4,7 @@
 // @ts-check
 
 import { MeshError, invalidArgument } from '../errors.js';
-import { formats } from '../formats.js';
+import { formats, writtenOnly } from '../formats.js';
 import { parseNumber } from './arguments.js';
 import { reportText } from './report_text.js';
 
@@ -101,7 +101,7 @@ export function namingFiles(files, work) {
  * @param {Streams} streams
  */
 export function readOperand(mortise, file, { values }, { stdin }) {
-  const options = values.format === undefined ? {} : { format: values.format };
+  const options = values.format === undefined || writtenOnly.includes(values.format) ? {} : { format: values.format };
   return namingFiles([file], () => (file === '-' ? mortise.readMesh(stdin(), options) : mortise.readMesh(file)));
 }
 
@@ -126,9 +126,9 @@ export function targetOf({ values }) {
 
 /** @param {string} file @returns {Format} */
 function formatOfName(file) {
-  const extension = /\.(stl|obj|ply|off)$/i.exec(file)?.[1].toLowerCase();
-  if (extension === undefined) throw invalidArgument(`'${file}' does not end in .stl, .obj, .ply or .off: name the format with --format`);
-  return /** @type {Format} */ (extension);
+  const extension = /\.(stl|obj|ply|off|msh|vtk|vtu|mesh|inp|bdf|nas)$/i.exec(file)?.[1].toLowerCase();
+  if (extension === undefined) throw invalidArgument(`'${file}' does not end in .stl, .obj, .ply, .off, .msh, .vtk, .vtu, .mesh, .inp, .bdf or .nas: name the format with --format`);
+  return extension === 'nas' ? 'bdf' : /** @type {Format} */ (extension);
 }
 
 /**

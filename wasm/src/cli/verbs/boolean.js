@@ -75,8 +75,9 @@ function helpText(name) {
 
 ${meaning} Meshes may touch, coincide, contain one another and cross themselves; open ones are sheets.
 
-${optionHelp}  -o, --output FILE     .stl .obj .ply .off; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
+${optionHelp}  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+                        of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
 ${arrangingHelp}  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane

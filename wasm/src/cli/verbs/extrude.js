@@ -15,8 +15,9 @@ export const extrudeVerb = {
 The solid between an open sheet that is a heightfield (a terrain) and the plane at height Z below or above it.
 
   --to-z Z              height of the plane
-  -o, --output FILE     .stl .obj .ply .off; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the output, and of a mesh from - (the standard input)
+  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+                        of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   -q, --quiet           print no report
 `,

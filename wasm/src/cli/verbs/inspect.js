@@ -15,7 +15,7 @@ Counts, closedness, measures and self-intersections of a mesh; - is the standard
 
   --json                print the report as JSON
   --check               exit with 1 unless the mesh is closed, oriented and free of self-intersections
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off: of the standard input
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh: of the standard input
 `,
   options: { ...readingOptions, check: { type: 'boolean' } },
   run(mortise, args, streams) {

@@ -49,7 +49,7 @@ The faces, edges, vertices and regions of a mesh; - is the standard input.
   --seams MODE           none, annulus, disc: edges that open faces (default annulus)
   --join-labels          triangles of different labels may lie on one face
   --json                 counts and entities as JSON
-  --format FORMAT        stl, stl-ascii, obj, ply, ply-ascii, off: of the standard input
+  --format FORMAT        stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh: of the standard input
 `,
   options: {
     ...readingOptions,
