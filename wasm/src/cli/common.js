@@ -4,7 +4,7 @@
 // @ts-check
 
 import { MeshError, invalidArgument } from '../errors.js';
-import { formats, writtenOnly } from '../formats.js';
+import { formats, readableFormats, writtenOnly } from '../formats.js';
 import { parseNumber } from './arguments.js';
 import { reportText } from './report_text.js';
 
@@ -165,7 +165,18 @@ export function printReport(report, title, { values }, streams) {
 }
 
 /**
- * Writes a mesh that no boolean made, and reports what the file then holds; `notes` come first.
+ * The mesh that a file holds, when its format can be read.
+ * @param {Mortise} mortise
+ * @param {Uint8Array} bytes
+ * @param {Format} format
+ */
+function heldBy(mortise, bytes, format) {
+  const readable = readableFormats.find((known) => known === format);
+  return readable === undefined ? undefined : mortise.readMesh(bytes, { format: readable });
+}
+
+/**
+ * Writes a mesh that no boolean made, and reports what the file then holds, or the mesh where its format is not read; `notes` come first.
  * @param {Mortise} mortise
  * @param {import('../index.js').Mesh} mesh
  * @param {{ verb: string, args: Arguments, streams: Streams, notes?: string[] }} call
@@ -173,7 +184,7 @@ export function printReport(report, title, { values }, streams) {
 export function writePlain(mortise, mesh, { verb, args, streams, notes = [] }) {
   const target = targetOf(args);
   const bytes = mortise.writeMesh(mesh, { format: target.format });
-  const report = mortise.inspect(mortise.readMesh(bytes, { format: target.format }));
+  const report = mortise.inspect(heldBy(mortise, bytes, target.format) ?? mesh);
   report.notes.unshift(...notes);
   send(target, bytes, streams);
   printReport(report, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
