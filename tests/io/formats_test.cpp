@@ -65,7 +65,8 @@ TEST_CASE("Formats that are written only have names, and reading them says so") 
 }
 
 TEST_CASE("Labels keep their names in every format that has room for names") {
-  for (const Format format : {Format::Obj, Format::StlAscii, Format::Msh41, Format::Msh22, Format::Vtk, Format::Vtu, Format::Medit}) {
+  for (const Format format : {Format::Obj, Format::StlAscii, Format::PlyAscii, Format::PlyBinary, Format::Msh41, Format::Msh22, Format::Vtk,
+                              Format::Vtu, Format::Medit}) {
     CAPTURE(format_name(format));
     const SurfaceMesh mesh = awkward_tetrahedron();
     CHECK(face_names(read_mesh(write_mesh(mesh, format), "")) == face_names(mesh));

@@ -269,3 +269,27 @@ TEST_CASE("A PLY row without its data is cut off, not read", "[data]") {
   check_line(ErrorCode::ParseFailed, 9, header + "0 0 0\n");
   CHECK(read_ply(header + "0 0 0 cold\n").points.size() == 1);
 }
+
+TEST_CASE("PLY files keep labels as numbers of faces and their names as comments") {
+  SurfaceMesh mesh = awkward_tetrahedron();
+  mesh.label_names = {"", "back side", "50% unused"};
+  const std::string text = write_ply_ascii(mesh);
+  CHECK(text.find("comment label 0 \ncomment label 1 back side\ncomment label 2 50% unused\n") != std::string::npos);
+  for (const std::string& bytes : {text, write_ply_binary(mesh)}) {
+    const SurfaceMesh back = read_ply(bytes);
+    CHECK(back.face_labels == mesh.face_labels);
+    CHECK(back.label_names == mesh.label_names);
+  }
+}
+
+TEST_CASE("PLY labels without names mean nothing, and those beyond the names are refused with their line or byte") {
+  const std::string rest =
+      "element vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement face 1\nproperty list uchar int vertex_indices\n"
+      "property int label\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2 ";
+  CHECK(read_ply("ply\nformat ascii 1.0\ncomment label 1 late\n" + rest + "7\n").face_labels.empty());
+  check_line(ErrorCode::ParseFailed, 15, "ply\nformat ascii 1.0\ncomment label 0 a\n" + rest + "1\n");
+  check_line(ErrorCode::ParseFailed, 15, "ply\nformat ascii 1.0\ncomment label 0 a\n" + rest + "-1\n");
+  std::string bytes = write_ply_binary(awkward_tetrahedron());
+  bytes[bytes.size() - 4] = 2;
+  check_byte(ErrorCode::ParseFailed, static_cast<std::uint32_t>(bytes.size() - 4), bytes);
+}

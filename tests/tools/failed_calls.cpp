@@ -299,6 +299,11 @@ std::vector<Call> mesh_calls() {
       {"write and read OFF", [](Options) { return write_and_read(Format::Off); }},
       {"write and read PLY", [](Options) { return write_and_read(Format::PlyAscii); }},
       {"write and read STL", [](Options) { return write_and_read(Format::StlAscii); }},
+      {"write and read MSH 4.1", [](Options) { return write_and_read(Format::Msh41); }},
+      {"write and read MSH 2.2", [](Options) { return write_and_read(Format::Msh22); }},
+      {"write and read VTK", [](Options) { return write_and_read(Format::Vtk); }},
+      {"write and read VTU", [](Options) { return write_and_read(Format::Vtu); }},
+      {"write and read MEDIT", [](Options) { return write_and_read(Format::Medit); }},
   };
 }
 

@@ -23,13 +23,14 @@ namespace {
 constexpr std::string_view stage_name = "read_ply";
 
 /// What a column means to a mesh.
-enum class Role : unsigned char { None, X, Y, Z, Corners, Wall, Data };
+enum class Role : unsigned char { None, X, Y, Z, Corners, Wall, Label, Data };
 
 Role role_of(const PlyElement& element, const PlyProperty& property) {
   const std::string& name = property.name;
   if (element.name == "vertex" && !property.is_list)
     return name == "x" ? Role::X : name == "y" ? Role::Y : name == "z" ? Role::Z : Role::None;
-  if (element.name == "face" && name == "wall" && !property.is_list && is_ply_integer(property.type)) return Role::Wall;
+  const bool is_number_of_face = element.name == "face" && !property.is_list && is_ply_integer(property.type);
+  if (is_number_of_face && (name == "wall" || name == "label")) return name == "wall" ? Role::Wall : Role::Label;
   if (element.name == "face" && property.is_list && (name == "vertex_indices" || name == "vertex_index")) return Role::Corners;
   return Role::None;
 }
@@ -95,6 +96,14 @@ std::string bad_index_message(std::int64_t index, std::uint32_t vertices) {
   return "the face names vertex " + std::to_string(index) + " of " + std::to_string(vertices) + " (the first is 0)";
 }
 
+bool is_label(std::int64_t label, const PolygonSoup& soup) {
+  return label >= 0 && static_cast<std::uint64_t>(label) < soup.label_names.size();
+}
+
+std::string bad_label_message(std::int64_t label, const PolygonSoup& soup) {
+  return "the face has label " + std::to_string(label) + " of " + std::to_string(soup.label_names.size()) + " (the first is 0)";
+}
+
 /// Appends a value to its channel, in the order of the components: columns that come in another order wait for one another.
 void set_value(const PlyTarget& target, double value, PolygonSoup& soup) {
   DataChannel& channel = soup.point_data[target.channel];
@@ -129,6 +138,12 @@ class TextRows {
   }
 
  private:
+  void read_label(PolygonSoup& soup) {
+    const std::int64_t label = read_integer(take_word(rest_), place(), "a label");
+    if (!is_label(label, soup)) fail_at_line(ErrorCode::ParseFailed, place(), bad_label_message(label, soup));
+    soup.face_labels.push_back(static_cast<std::uint32_t>(label));
+  }
+
   bool next_row() {
     while (lines_.next()) {
       if (!trim(lines_.line()).empty()) return true;
@@ -147,7 +162,8 @@ class TextRows {
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(soup);
     if (role == Role::Wall) return soup.walls.push_back(read_integer(take_word(rest_), place(), "the mark of a wall") != 0 ? 1 : 0);
-    if (role != Role::None) {
+    if (role == Role::Label && !soup.label_names.empty()) return read_label(soup);
+    if (role != Role::None && role != Role::Label) {
       point[static_cast<std::size_t>(role) - static_cast<std::size_t>(Role::X)] = read_coordinate(take_word(rest_), place());
       return;
     }
@@ -201,7 +217,8 @@ class BinaryRows {
   void read_property(const PlyProperty& property, Role role, Vec3d& point, PolygonSoup& soup) {
     if (role == Role::Corners) return read_corners(property, soup);
     if (role == Role::Wall) return soup.walls.push_back(take_integer(property.type) != 0 ? 1 : 0);
-    if (role != Role::None) {
+    if (role == Role::Label && !soup.label_names.empty()) return read_label(property, soup);
+    if (role != Role::None && role != Role::Label) {
       const std::size_t at = offset_;
       const double value = take_value(property.type);
       if (!(std::fabs(value) <= std::numeric_limits<double>::max()))
@@ -211,6 +228,13 @@ class BinaryRows {
     }
     const std::uint64_t items = property.is_list ? take_length(property.count_type) : 1;
     skip(items * ply_type_size(property.type));
+  }
+
+  void read_label(const PlyProperty& property, PolygonSoup& soup) {
+    const std::size_t at = offset_;
+    const std::int64_t label = take_integer(property.type);
+    if (!is_label(label, soup)) fail_at_byte(ErrorCode::ParseFailed, stage_name, at, bad_label_message(label, soup));
+    soup.face_labels.push_back(static_cast<std::uint32_t>(label));
   }
 
   void read_corners(const PlyProperty& property, PolygonSoup& soup) {
@@ -276,8 +300,9 @@ class BinaryRows {
 };
 
 template <class Rows>
-PolygonSoup read_rows(Rows rows, const std::vector<Table>& tables, std::size_t byte_count) {
+PolygonSoup read_rows(Rows rows, const PlyHeader& header, const std::vector<Table>& tables, std::size_t byte_count) {
   PolygonSoup soup;
+  soup.label_names = header.label_names;
   for (const Table& table : tables) {
     if (table.has(Role::X)) soup.point_data = table.data.channels;
     if (table.has(Role::X)) soup.points.reserve(believable_count(table.element->count, byte_count, 3));
@@ -285,6 +310,7 @@ PolygonSoup read_rows(Rows rows, const std::vector<Table>& tables, std::size_t b
     if (table.roles.empty()) continue;
     for (std::uint32_t i = 0; i < table.element->count; ++i) rows.read_row(table, soup);
   }
+  if (soup.face_labels.empty()) soup.label_names.clear();
   return soup;
 }
 
@@ -310,13 +336,18 @@ struct Content {
 std::string header_text(const Content& content, std::string_view encoding) {
   const auto& [mesh, polygons, columns] = content;
   std::string text = "ply\nformat ";
-  text.append(encoding).append(" 1.0\ncomment Mortise\nelement vertex ").append(std::to_string(mesh.points.size()));
+  text.append(encoding).append(" 1.0\ncomment Mortise\n");
+  for (std::size_t i = 0; !mesh.face_labels.empty() && i < mesh.label_names.size(); ++i) {
+    text.append("comment label ").append(std::to_string(i)).append(" ").append(one_line_name(mesh.label_names[i])).append("\n");
+  }
+  text.append("element vertex ").append(std::to_string(mesh.points.size()));
   text += "\nproperty double x\nproperty double y\nproperty double z";
   for (const PlyColumn& c : columns) text.append(c.is_byte ? "\nproperty uchar " : "\nproperty double ").append(c.name);
   text += "\nelement face ";
   text.append(std::to_string(polygons.size())).append("\nproperty list ");
   text.append(most_corners(polygons) > most_corners_in_byte ? "int" : "uchar").append(" int vertex_indices\n");
   if (!mesh.walls.empty()) text += "property uchar wall\n";
+  if (!mesh.face_labels.empty()) text += "property int label\n";
   text += "end_header\n";
   return text;
 }
@@ -332,8 +363,8 @@ SurfaceMesh read_ply(std::string_view bytes) {
   const PlyHeader header = read_ply_header(bytes);
   const std::vector<Table> tables = make_tables(header);
   const std::string_view rows = bytes.substr(header.size);
-  return build_mesh(header.encoding == PlyEncoding::Ascii ? read_rows(TextRows(rows, header), tables, rows.size())
-                                                          : read_rows(BinaryRows(bytes, header), tables, rows.size()));
+  return build_mesh(header.encoding == PlyEncoding::Ascii ? read_rows(TextRows(rows, header), header, tables, rows.size())
+                                                          : read_rows(BinaryRows(bytes, header), header, tables, rows.size()));
 }
 
 bool is_ascii_ply(std::string_view bytes) {
@@ -358,7 +389,9 @@ std::string write_ply_ascii(const SurfaceMesh& given) {
   for (std::size_t i = 0; i < polygons.size(); ++i) {
     text += std::to_string(polygons.corners_of(i).size());
     for (const VertexId vertex : polygons.corners_of(i)) text.append(" ").append(std::to_string(vertex.value));
-    if (!mesh.walls.empty()) text += mesh.walls[polygons.first_triangle[i].index()] != 0 ? " 1" : " 0";
+    const std::size_t first = polygons.first_triangle[i].index();
+    if (!mesh.walls.empty()) text += mesh.walls[first] != 0 ? " 1" : " 0";
+    if (!mesh.face_labels.empty()) text.append(" ").append(std::to_string(mesh.face_labels[first]));
     text += '\n';
   }
   return text;
@@ -383,7 +416,9 @@ std::string write_ply_binary(const SurfaceMesh& given) {
       append_little_endian(bytes, static_cast<std::uint8_t>(corners.size()));
     }
     for (const VertexId vertex : corners) append_little_endian(bytes, static_cast<std::int32_t>(vertex.value));
-    if (!mesh.walls.empty()) append_little_endian(bytes, mesh.walls[polygons.first_triangle[i].index()]);
+    const std::size_t first = polygons.first_triangle[i].index();
+    if (!mesh.walls.empty()) append_little_endian(bytes, mesh.walls[first]);
+    if (!mesh.face_labels.empty()) append_little_endian(bytes, static_cast<std::int32_t>(mesh.face_labels[first]));
   }
   return bytes;
 }

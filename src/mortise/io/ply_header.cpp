@@ -73,13 +73,21 @@ PlyProperty read_property(std::string_view rest, const TextPlace& place) {
   return property;
 }
 
+/// Keeps the name in a comment `label NUMBER NAME` when it is the next one.
+void read_comment(std::string_view rest, PlyHeader& header) {
+  if (take_word(rest) != "label") return;
+  if (take_word(rest) == std::to_string(header.label_names.size())) header.label_names.push_back(one_line_name(rest));
+}
+
 /// Reads one line of the header; false behind "end_header".
 bool read_header_line(const LineReader& lines, PlyHeader& header, bool& has_format) {
   std::string_view rest = lines.line();
   const std::string_view keyword = take_word(rest);
   if (keyword == "end_header") return false;
-  if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) return true;
-  if (keyword == "format") {
+  if (keyword == "obj_info" || keyword.empty()) return true;
+  if (keyword == "comment") {
+    read_comment(rest, header);
+  } else if (keyword == "format") {
     header.encoding = read_encoding(rest, lines.place());
     has_format = true;
   } else if (keyword == "element") {

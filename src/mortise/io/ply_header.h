@@ -34,8 +34,9 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding = PlyEncoding::Ascii;
   std::vector<PlyElement> elements;
-  std::size_t size = 0;          ///< bytes up to the first row
-  std::uint32_t line_count = 0;  ///< lines up to the first row
+  std::vector<std::string> label_names{};  ///< of comments `label 0 NAME`, `label 1 NAME`, ... in this order
+  std::size_t size = 0;                    ///< bytes up to the first row
+  std::uint32_t line_count = 0;            ///< lines up to the first row
 };
 
 /// Does the file begin with the line "ply"?
