@@ -45,6 +45,14 @@ constexpr std::array<NamedFormat, 13> all_formats{{{Format::Obj, "obj"},
                                                    {Format::Abaqus, "inp"},
                                                    {Format::Nastran, "bdf"}}};
 
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < all_formats.size(); ++i) {
+    if (static_cast<std::size_t>(all_formats[i].format) != i) return false;
+  }
+  return true;
+}
+static_assert(is_in_order(), "format_name() looks up by number");
+
 std::string_view extension(std::string_view path) {
   const std::size_t dot = path.find_last_of("./\\");
   return dot == std::string_view::npos || path[dot] != '.' ? std::string_view() : path.substr(dot + 1);

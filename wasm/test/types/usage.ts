@@ -76,6 +76,10 @@ await union({ ...box, vertexData: { uv: { components: 2, values: [], kind: 'text
 const mortise: Mortise = await load({ wasmUrl: '/core.wasm' });
 const now: BooleanResult = mortise.union(box, back, { onProgress: () => false });
 const nowBytes: Uint8Array = mortise.writeMesh(now.mesh, { format: 'obj' });
+const deck: Uint8Array = mortise.writeMesh(now.mesh, { format: 'inp' });
+const analysed: Mesh = mortise.readMesh(deck, { format: 'msh' });
+// @ts-expect-error: written only
+mortise.readMesh(deck, { format: 'inp' });
 
 try {
   mortise.subtract([fromFile, box]);
@@ -109,4 +113,4 @@ await union(make('box'), box);
 
 console.log(sharedIds, resolved, parts, sources, shells, step, polygons);
 console.log(uv?.values, copies, starts);
-console.log(operands, chains, genus, found, report.certified, nowBytes);
+console.log(operands, chains, genus, found, report.certified, nowBytes, analysed);
