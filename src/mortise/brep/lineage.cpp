@@ -109,7 +109,7 @@ class LineageTracer {
     std::vector<std::vector<ModelEdgeId>> operand_edges;
     for (const ModelView& operand : operands_) operand_edges.push_back(edges_of_half_edges(operand));
     struct EdgeLink {
-      std::array<VertexId, 2> mesh_edge;
+      VertexId low, high;  // of the mesh edge
       std::uint32_t result, operand, source;
       auto operator<=>(const EdgeLink&) const = default;
     };
@@ -122,14 +122,14 @@ class LineageTracer {
         for (std::size_t k = 0; k < 3; ++k) {
           const ModelEdgeId source = operand_edges[s.operand][3 * std::size_t{s.face} + k];
           if (source.is_valid() && lies_on_side(a, b, operands_[s.operand].mesh, s.face, k))
-            found.push_back({sorted_pair(a, b), edges[h].value, s.operand, source.value});
+            found.push_back({std::min(a, b), std::max(a, b), edges[h].value, s.operand, source.value});
         }
       });
     }
     std::sort(found.begin(), found.end());
     found.erase(std::unique(found.begin(), found.end()), found.end());
     for (const EdgeLink& f : found) {
-      link(EntityDimension::Edge, f.result, f.operand, f.source, length(position(f.mesh_edge[1]) - position(f.mesh_edge[0])));
+      link(EntityDimension::Edge, f.result, f.operand, f.source, length(position(f.high) - position(f.low)));
     }
   }
 
@@ -262,18 +262,20 @@ class LineageTracer {
   std::vector<LineageLink> links_;
 };
 
+template <class IsBefore>
+std::span<const LineageLink> equal_links(const std::vector<LineageLink>& links, const LineageLink& link, IsBefore is_before) {
+  const auto [first, last] = std::equal_range(links.begin(), links.end(), link, is_before);
+  return std::span(links).subspan(static_cast<std::size_t>(first - links.begin()), static_cast<std::size_t>(last - first));
+}
+
 }  // namespace
 
 std::span<const LineageLink> Lineage::sources_of(const ModelEntity& result) const {
-  const auto [first, last] = std::equal_range(by_result.begin(), by_result.end(), LineageLink{result, {}, 0},
-                                              [](const LineageLink& a, const LineageLink& b) { return a.result < b.result; });
-  return {first, last};
+  return equal_links(by_result, {result, {}, 0}, [](const LineageLink& a, const LineageLink& b) { return a.result < b.result; });
 }
 
 std::span<const LineageLink> Lineage::results_of(const OperandEntity& source) const {
-  const auto [first, last] = std::equal_range(by_source.begin(), by_source.end(), LineageLink{{}, source, 0},
-                                              [](const LineageLink& a, const LineageLink& b) { return a.source < b.source; });
-  return {first, last};
+  return equal_links(by_source, {{}, source, 0}, [](const LineageLink& a, const LineageLink& b) { return a.source < b.source; });
 }
 
 Lineage trace_lineage(const ModelView& result, const Provenance& provenance, std::span<const ModelView> operands) {
