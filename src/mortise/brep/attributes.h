@@ -58,9 +58,9 @@ struct OperandAttributes {
   const Brep* brep = nullptr;
 };
 
-/// The attributes of the model of a result. By name, then kind, then value, then policy's piece; each once, targets together.
+/// The attributes of the model of a result, by name, kind and value; targets of equal ones together.
 ///
-/// @param operands  per operand; one without attributes gives none
+/// @param operands  by number; leave out the attributes of those that are to give none
 /// @throws Error{InvalidArgument} when a target is not there, or a policy says so
 /// O(n log n) in links and targets.
 [[nodiscard]] std::vector<Attribute> transfer_attributes(const Lineage& lineage, std::span<const OperandAttributes> operands);
