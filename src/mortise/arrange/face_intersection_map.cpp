@@ -8,6 +8,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "mortise/base/sort_unique.h"
 #include "mortise/exact/predicates.h"
 
 namespace mortise {
@@ -28,12 +29,6 @@ struct PointOfOverlay {
 
   auto operator<=>(const PointOfOverlay&) const = default;
 };
-
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
 
 class MapBuilder {
  public:

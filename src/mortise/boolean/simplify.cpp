@@ -8,6 +8,7 @@
 
 #include "mortise/arrange/triangulate_region.h"
 #include "mortise/base/error.h"
+#include "mortise/base/sort_unique.h"
 #include "mortise/base/union_find.h"
 #include "mortise/exact/predicates.h"
 
@@ -36,11 +37,6 @@ struct GroupAtPoint {
 
   auto operator<=>(const GroupAtPoint&) const = default;
 };
-
-void sort_unique(std::vector<GroupAtPoint>& list) {
-  std::sort(list.begin(), list.end());
-  list.erase(std::unique(list.begin(), list.end()), list.end());
-}
 
 class Simplifier {
  public:

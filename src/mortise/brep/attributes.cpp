@@ -31,11 +31,6 @@ std::string name_of_piece(const Attribute& attribute, std::size_t piece) {
   return replaced(replaced(attribute.policy.piece_name, "{name}", attribute.name), "{piece}", std::to_string(piece));
 }
 
-std::string name_of_entity(const ModelEntity& e) {
-  static constexpr std::array<const char*, 5> names{"vertex", "edge", "face", "region", "entity"};
-  return std::string(names[static_cast<std::size_t>(e.dimension)]) + " " + std::to_string(e.id);
-}
-
 class AttributeTransfer {
  public:
   AttributeTransfer(const Lineage& lineage, std::span<const OperandAttributes> operands) : lineage_(lineage), operands_(operands) {}
@@ -53,7 +48,7 @@ class AttributeTransfer {
   void land(const Attribute& a, const OperandEntity& source) {
     if (source.entity.id >= entity_count(*operands_[source.operand].brep, source.entity.dimension))
       throw Error(ErrorCode::InvalidArgument, "transfer_attributes",
-                  "attribute '" + a.name + "' is on " + name_of_entity(source.entity) + ", which is not there")
+                  "attribute '" + a.name + "' is on " + entity_name(source.entity) + ", which is not there")
           .in_operand(source.operand);
     const auto results = lineage_.results_of(source);
     if (results.empty()) {
@@ -124,7 +119,7 @@ class AttributeTransfer {
         break;
       case OnMerge::Error:
         throw Error(ErrorCode::InvalidArgument, "transfer_attributes",
-                    "attribute '" + together[0].name + "' has several values on " + name_of_entity(together[0].target));
+                    "attribute '" + together[0].name + "' has several values on " + entity_name(together[0].target));
       case OnMerge::Drop:
         break;
     }

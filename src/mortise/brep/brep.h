@@ -3,6 +3,7 @@
 // Model regions, faces, edges and vertices with what bounds what (paper 2.1, Fig. 4), and a mesh classified on them.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -22,46 +23,34 @@ using ShellId = Id<struct ShellTag>;
 struct ModelEdge {
   ModelVertexId start, end;  ///< equal for a closed edge
   bool is_seam = false;      ///< made to open a face that has no natural boundary there; no crease
-
-  bool operator==(const ModelEdge&) const = default;
 };
 
 /// A model edge as part of a loop, the face on its left seen from in front of it.
 struct EdgeUse {
   ModelEdgeId edge;
   bool is_reversed = false;
-
-  bool operator==(const EdgeUse&) const = default;
 };
 
 struct ModelLoop {
   ModelFaceId face;
   ModelVertexId start;  ///< where its first use starts; all there is of a loop that only touches a vertex
-
-  bool operator==(const ModelLoop&) const = default;
 };
 
 struct ModelFace {
   std::uint32_t genus = 0;                       ///< handles; 0 for pieces of a plane, a cylinder, a sphere
   ModelRegionId region_behind, region_in_front;  ///< equal for a sheet
-
-  bool operator==(const ModelFace&) const = default;
 };
 
 /// One of the two sides of a face.
 struct FaceSide {
   ModelFaceId face;
   bool is_front = false;
-
-  bool operator==(const FaceSide&) const = default;
 };
 
 /// A face as a neighbour of an edge.
 struct FaceUse {
   ModelFaceId face;
   bool is_reversed = false;  ///< as in the loop
-
-  bool operator==(const FaceUse&) const = default;
 };
 
 /// The boundary representation: entities by number, and for each its neighbours one dimension down and up.
@@ -93,6 +82,9 @@ struct ModelEntity {
 
   auto operator<=>(const ModelEntity&) const = default;
 };
+
+/// The ends of a mesh edge, the lower first.
+[[nodiscard]] inline std::array<VertexId, 2> sorted_ends(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
 /// What every entity of a mesh lies on. Only mesh edges on model edges are stored; all others lie on the face of their triangles.
 struct Classification {

@@ -10,8 +10,6 @@ namespace {
 
 constexpr HalfEdge none = 0xffffffffU;
 
-HalfEdge previous_in_face(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
-
 class BoundaryFinder {
  public:
   BoundaryFinder(const SurfaceMesh& mesh, const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature,
@@ -87,7 +85,7 @@ class BoundaryFinder {
     HalfEdge corner = h;
     do {
       visit(corner);
-      corner = opposite(previous_in_face(corner));
+      corner = opposite(next_in_face(next_in_face(corner)));
     } while (corner != h);
   }
 
@@ -119,7 +117,7 @@ class BoundaryFinder {
     HalfEdge corner = h;
     do {
       lowest = std::min(lowest, corner);
-      const HalfEdge before = previous_in_face(corner);
+      const HalfEdge before = next_in_face(next_in_face(corner));
       if (is_boundary(before)) return false;
       corner = opposite(before);
     } while (corner != h);

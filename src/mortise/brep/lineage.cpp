@@ -18,15 +18,13 @@
 namespace mortise {
 namespace {
 
-std::array<VertexId, 2> sorted_pair(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
-
 // Per half-edge of the mesh: its model edge, or none.
 std::vector<ModelEdgeId> edges_of_half_edges(const ModelView& view) {
   std::vector<std::pair<std::array<VertexId, 2>, ModelEdgeId>> segments;
   const Classification& on = view.model.classification;
   for (std::size_t e = 0; e < on.path.size(); ++e) {
     const auto path = on.path.of(ModelEdgeId(e));
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) segments.emplace_back(sorted_pair(path[i], path[i + 1]), ModelEdgeId(e));
+    for (std::size_t i = 0; i + 1 < path.size(); ++i) segments.emplace_back(sorted_ends(path[i], path[i + 1]), ModelEdgeId(e));
   }
   std::sort(segments.begin(), segments.end());
   std::vector<ModelEdgeId> edges(3 * view.mesh.triangles.size());
@@ -35,7 +33,7 @@ std::vector<ModelEdgeId> edges_of_half_edges(const ModelView& view) {
     const Triangle& t = view.mesh.triangles[h / 3];
     const VertexId a = t[h % 3], b = t[(h + 1) % 3];
     if (is_inside_face(a) || is_inside_face(b)) continue;
-    const auto key = std::pair(sorted_pair(a, b), ModelEdgeId(0));
+    const auto key = std::pair(sorted_ends(a, b), ModelEdgeId(0));
     const auto found = std::lower_bound(segments.begin(), segments.end(), key);
     if (found != segments.end() && found->first == key.first) edges[h] = found->second;
   }

@@ -9,23 +9,16 @@
 #include <string>
 
 #include "mortise/base/error.h"
+#include "mortise/base/sort_unique.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
 
 namespace mortise {
 namespace {
 
-template <class T>
-void sort_unique(std::vector<T>& values) {
-  std::sort(values.begin(), values.end());
-  values.erase(std::unique(values.begin(), values.end()), values.end());
-}
-
 void require(const Brep& brep, const ModelEntity& entity) {
   if (entity.dimension < EntityDimension::None && entity.id < entity_count(brep, entity.dimension)) return;
-  static constexpr std::array<const char*, 5> names{"vertex", "edge", "face", "region", "entity of no dimension"};
-  const std::string name = names[std::min<std::size_t>(static_cast<std::size_t>(entity.dimension), names.size() - 1)];
-  throw Error(ErrorCode::InvalidArgument, "model", "the model has no " + name + " " + std::to_string(entity.id));
+  throw Error(ErrorCode::InvalidArgument, "model", "the model has no " + entity_name(entity));
 }
 
 // Edges of a face, as often as its loops use them.
@@ -42,8 +35,6 @@ void for_each_side(const Brep& brep, ModelRegionId region, Visit visit) {
     for (const FaceSide& side : brep.sides_of_shell.of(s)) visit(side);
   }
 }
-
-std::array<VertexId, 2> sorted_ends(VertexId a, VertexId b) { return {std::min(a, b), std::max(a, b)}; }
 
 // Adds the mesh on entities, the lower ones first; duplicates go at the end.
 class MeshCollector {
@@ -186,6 +177,11 @@ void take_if_closer(const Vec3d& point, const Vec3d& to, FaceId triangle, Closes
 }
 
 }  // namespace
+
+std::string entity_name(const ModelEntity& entity) {
+  static constexpr std::array<const char*, 5> names{"vertex", "edge", "face", "region", "entity of no dimension"};
+  return std::string(names[static_cast<std::size_t>(entity.dimension)]) + " " + std::to_string(entity.id);
+}
 
 std::size_t entity_count(const Brep& brep, EntityDimension dimension) {
   switch (dimension) {

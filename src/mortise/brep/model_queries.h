@@ -5,12 +5,16 @@
 
 #include <array>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "mortise/brep/brep.h"
 #include "mortise/mesh/surface_mesh.h"
 
 namespace mortise {
+
+/// "face 3".
+[[nodiscard]] std::string entity_name(const ModelEntity& entity);
 
 /// How many entities of a dimension there are; region 0 is one.
 [[nodiscard]] std::size_t entity_count(const Brep& brep, EntityDimension dimension);
