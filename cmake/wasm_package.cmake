@@ -11,7 +11,7 @@ set(mortise_light_sources
     boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/share_within_tolerance boolean/simplify
     boolean/shared_edges boolean/stacked_triangles boolean/swap_slivers boolean/triangulate_shared_faces
     brep/build_brep brep/model_queries brep/seams brep/trace_edges brep/validate_brep
-    io/abaqus io/cell_grid io/entity_mesh io/entity_mesh_builder io/fitted_number io/formats io/gmsh_script io/medit io/msh io/msh22 io/msh41
+    io/abaqus io/cell_grid io/entity_mesh io/entity_mesh_builder io/fitted_number io/formats io/glb io/gmsh_script io/medit io/msh io/msh22 io/msh41
     io/nastran io/obj_data io/off io/ply_data io/ply_header io/vtk io/vtu io/xml
     mesh/corners_to_vertices mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/find_shells mesh/group_by_label mesh/half_space
     mesh/order_round_edge mesh/orient_faces mesh/repair

@@ -55,7 +55,8 @@ TEST_CASE("Formats that are written only have names, and reading them says so") 
   CHECK(format_from_path("out.inp") == Format::Abaqus);
   CHECK(format_from_path("out.bdf") == Format::Nastran);
   CHECK(format_from_path("out.NAS") == Format::Nastran);
-  for (const Format format : {Format::Abaqus, Format::Nastran}) {
+  CHECK(format_from_path("out.glb") == Format::Glb);
+  for (const Format format : {Format::Glb, Format::Abaqus, Format::Nastran}) {
     CHECK_FALSE(is_readable_format(format));
     CHECK(format_from_name(format_name(format)) == format);
     const Error error = error_of([&] { return read_mesh(write_mesh(float_tetrahedron(), format), file_name(format)); });
@@ -81,7 +82,8 @@ TEST_CASE("A mesh written in any format is read back bit for bit through one doo
   }
 }
 
-TEST_CASE("Only binary STL keeps coordinates as float32") {
+TEST_CASE("Only binary STL and GLB keep coordinates as float32") {
+  CHECK(is_float32_format(Format::Glb));
   for (const Format format : all_formats) CHECK(is_float32_format(format) == (format == Format::StlBinary));
 }
 

@@ -10,7 +10,7 @@
 export const readableFormats = ['stl', 'stl-ascii', 'obj', 'ply', 'ply-ascii', 'off', 'msh', 'msh22', 'vtk', 'vtu', 'mesh'];
 
 /** @type {import('./index.js').Format[]} */
-export const writtenOnly = ['inp', 'bdf'];
+export const writtenOnly = ['glb', 'inp', 'bdf'];
 
 /**
  * All that can be written.

@@ -570,8 +570,8 @@ export interface Model {
 /** 'msh' is version 4.1, 'mesh' is MEDIT. */
 export type ReadableFormat = 'stl' | 'stl-ascii' | 'obj' | 'ply' | 'ply-ascii' | 'off' | 'msh' | 'msh22' | 'vtk' | 'vtu' | 'mesh';
 
-/** What can be written: 'inp' (Abaqus) and 'bdf' (Nastran) are not read. */
-export type Format = ReadableFormat | 'inp' | 'bdf';
+/** What can be written: 'glb' (float32 coordinates), 'inp' (Abaqus) and 'bdf' (Nastran) are not read. */
+export type Format = ReadableFormat | 'glb' | 'inp' | 'bdf';
 
 export interface ReadOptions {
   /** Default: by the name, then by the content. */

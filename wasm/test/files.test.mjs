@@ -95,6 +95,16 @@ test('inp and bdf are written, with the names of labels, and not read', async ()
   }
 });
 
+test('glb is written, a named material for each label, and not read', async () => {
+  const mesh = { ...cube(), faceLabels: new Uint32Array(12).map((_, i) => (i < 2 ? 1 : 0)), labelNames: ['wall', 'in let \u00e4'] };
+  const bytes = await writeMesh(mesh, { format: 'glb' });
+  const { buffer, byteOffset } = bytes;
+  const json = JSON.parse(new TextDecoder().decode(new Uint8Array(buffer, byteOffset + 20, new DataView(buffer, byteOffset).getUint32(12, true))));
+  assert.deepEqual(json.materials.map(({ name }) => name), mesh.labelNames);
+  assert.deepEqual(json.accessors.map(({ count }) => count), [8, 30, 6]);
+  await assert.rejects(readMesh(bytes, { format: 'glb' }), { code: 'UNKNOWN_FORMAT' });
+});
+
 test('volume elements of analysis files are refused with their line', async () => {
   const text = '$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n1\n1 0 0 0\n$EndNodes\n$Elements\n1\n1 4 2 0 1 1 1 1 1\n$EndElements\n';
   await assert.rejects(readMesh(new TextEncoder().encode(text)), (error) => {

@@ -7,6 +7,7 @@
 
 #include "mortise/base/error.h"
 #include "mortise/io/abaqus.h"
+#include "mortise/io/glb.h"
 #include "mortise/io/medit.h"
 #include "mortise/io/msh.h"
 #include "mortise/io/nastran.h"
@@ -31,12 +32,13 @@ struct NamedFormat {
   std::string_view name;
 };
 
-constexpr std::array<NamedFormat, 13> all_formats{{{Format::Obj, "obj"},
+constexpr std::array<NamedFormat, 14> all_formats{{{Format::Obj, "obj"},
                                                    {Format::Off, "off"},
                                                    {Format::PlyBinary, "ply"},
                                                    {Format::PlyAscii, "ply-ascii"},
                                                    {Format::StlBinary, "stl"},
                                                    {Format::StlAscii, "stl-ascii"},
+                                                   {Format::Glb, "glb"},
                                                    {Format::Msh41, "msh"},
                                                    {Format::Msh22, "msh22"},
                                                    {Format::Vtk, "vtk"},
@@ -131,7 +133,7 @@ std::string join_names() {
 
 std::string_view format_name(Format format) { return all_formats[static_cast<std::size_t>(format)].name; }
 
-bool is_readable_format(Format format) { return format != Format::Abaqus && format != Format::Nastran; }
+bool is_readable_format(Format format) { return format != Format::Glb && format != Format::Abaqus && format != Format::Nastran; }
 
 Format format_from_name(std::string_view name) {
   for (const NamedFormat& known : all_formats) {
@@ -144,7 +146,7 @@ Format format_from_path(std::string_view path) {
   Format format{};
   if (find_by_extension(path, format)) return format;
   throw Error(ErrorCode::UnknownFormat, "format_from_path",
-              "the name does not end in .obj, .off, .ply, .stl, .msh, .vtk, .vtu, .mesh, .inp, .bdf or .nas");
+              "the name does not end in .obj, .off, .ply, .stl, .glb, .msh, .vtk, .vtu, .mesh, .inp, .bdf or .nas");
 }
 
 Format detect_format(std::string_view name, std::string_view bytes) {
@@ -164,7 +166,7 @@ Format detect_format(std::string_view name, std::string_view bytes) {
               "neither the name nor the content tells one of the formats obj, off, ply, stl, msh, vtk, vtu and mesh");
 }
 
-bool is_float32_format(Format format) { return format == Format::StlBinary; }
+bool is_float32_format(Format format) { return format == Format::StlBinary || format == Format::Glb; }
 
 SurfaceMesh read_mesh(std::string_view bytes, std::string_view name) {
   const Format format = detect_format(name, bytes);
@@ -198,6 +200,8 @@ std::string write_mesh(const SurfaceMesh& mesh, Format format) {
       return write_stl_binary(mesh);
     case Format::StlAscii:
       return write_stl_ascii(mesh);
+    case Format::Glb:
+      return write_glb(mesh);
     default:
       return write_entity_mesh(entity_mesh_of(mesh), format);
   }

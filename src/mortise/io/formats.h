@@ -11,9 +11,24 @@
 
 namespace mortise {
 
-enum class Format : unsigned char { Obj, Off, PlyBinary, PlyAscii, StlBinary, StlAscii, Msh41, Msh22, Vtk, Vtu, Medit, Abaqus, Nastran };
+enum class Format : unsigned char {
+  Obj,
+  Off,
+  PlyBinary,
+  PlyAscii,
+  StlBinary,
+  StlAscii,
+  Glb,
+  Msh41,
+  Msh22,
+  Vtk,
+  Vtu,
+  Medit,
+  Abaqus,
+  Nastran
+};
 
-/// "obj", "off", "ply", "ply-ascii", "stl", "stl-ascii", "msh", "msh22", "vtk", "vtu", "mesh", "inp", "bdf".
+/// "obj", "off", "ply", "ply-ascii", "stl", "stl-ascii", "glb", "msh", "msh22", "vtk", "vtu", "mesh", "inp", "bdf".
 [[nodiscard]] std::string_view format_name(Format format);
 
 /// The format `format_name` gives this name; the plain extension means the binary kind, or the newest version.
@@ -24,7 +39,7 @@ enum class Format : unsigned char { Obj, Off, PlyBinary, PlyAscii, StlBinary, St
 /// @throws Error{UnknownFormat}
 [[nodiscard]] Format format_from_path(std::string_view path);
 
-/// Can files of the format be read? All but inp and bdf, which are written only.
+/// Can files of the format be read? All but glb, inp and bdf, which are written only.
 [[nodiscard]] bool is_readable_format(Format format);
 
 /// The format of a file that can be read: by its content where that is certain, else by the extension of its name (which may be empty),
