@@ -14,10 +14,11 @@ namespace mortise::test {
 
 /// Everything about the models of one operation. Stays where it is: views refer into it.
 struct ResultModel {
-  ResultModel(Operation operation, std::vector<SurfaceMesh> solids, const BrepRules& rules = {}) : meshes(std::move(solids)) {
+  ResultModel(Operation operation, std::vector<SurfaceMesh> solids, const BrepRules& rules = {}, const BooleanOptions& options = {})
+      : meshes(std::move(solids)) {
     for (const SurfaceMesh& mesh : meshes) operand_models.push_back(build_brep(mesh));
     for (std::size_t k = 0; k < meshes.size(); ++k) operands.push_back(view_of(meshes[k], operand_models[k]));
-    boolean = evaluate_boolean(operation, pointers_to(meshes));
+    boolean = evaluate_boolean(operation, pointers_to(meshes), options);
     std::vector<FaceNormals> normals;
     for (const SurfaceMesh& mesh : meshes) normals.push_back(measure_normals(mesh, build_topology(mesh)));
     model = build_brep(boolean.mesh, rules, source_normals(boolean.provenance, normals));

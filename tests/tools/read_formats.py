@@ -1,7 +1,8 @@
 # SPDX-FileCopyrightText: the Mortise authors
 # SPDX-License-Identifier: MIT
-# Reads the files of write_formats with meshio, VTK and Gmsh, and has write_formats read what these write.
+# Reads the files of write_formats with meshio, VTK, Gmsh and three.js, and has write_formats read what the first three write.
 # usage: read_formats.py WRITE_FORMATS FOLDER   (FOLDER holds the files and expected.txt, what write_formats printed)
+import json
 import subprocess
 import sys
 from pathlib import Path
@@ -11,15 +12,9 @@ import numpy as np
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
+from checks import check, finish, run
+
 tool, folder = sys.argv[1], Path(sys.argv[2])
-checks, failures = 0, []
-
-
-def check(name, found, expected):
-    global checks
-    checks += 1
-    if found != expected:
-        failures.append(f"{name}: {found} instead of {expected}")
 
 
 def ninths(area):
@@ -244,8 +239,77 @@ def gmsh_reads_and_writes():
         check(f"our reader of Gmsh's {kind}", found, counts)
 
 
+# ---- GLB
+
+
+def three(name):
+    program = Path(__file__).with_name("read_glb.mjs")
+    return json.loads(subprocess.run(["node", program, folder / name], capture_output=True, text=True, check=True).stdout)
+
+
+def array_of(mesh, name):
+    attribute = mesh["attributes"][name]
+    return np.array(attribute["values"], dtype=np.float64).reshape(-1, attribute["itemSize"])
+
+
+def vtk_parts(name):
+    """The pieces of a scene, a primitive each."""
+    reader = vtk.vtkGLTFReader()
+    reader.SetFileName(str(folder / name))
+    reader.Update()
+    parts, pieces = reader.GetOutput().NewIterator(), []
+    parts.InitTraversal()
+    while not parts.IsDoneWithTraversal():
+        pieces.append(parts.GetCurrentDataObject())
+        parts.GoToNextItem()
+    return pieces
+
+
+def polys_of(part):
+    return vtk_to_numpy(part.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+
+
+def rounded(size):
+    """Float32 coordinates: areas to five digits."""
+    return round(size, 5)
+
+
+expected_parts = {name: (count, rounded(size)) for name, (count, size) in surfaces.items()}
+
+
+def three_reads_glb():
+    meshes = three("boxes.glb")
+    found = {}
+    for mesh in meshes:
+        points, triangles = array_of(mesh, "position"), np.array(mesh["index"]).reshape(-1, 3)
+        check("three.js glb, points", len(points), counts["points"])
+        found[mesh["name"]] = (len(triangles), rounded(area(points, triangles)))
+    check("three.js glb, materials", found, expected_parts)
+
+
+def three_reads_data():
+    (mesh,) = three("painted.glb")
+    side = np.arange(24) // 4
+    check("three.js glb, vertices of a painted cube", len(array_of(mesh, "position")), 24)
+    found = {tuple(row) for row in array_of(mesh, "uv")}
+    check("three.js glb, texture coordinates", found, {(k / 8, 0.75) for k in side})
+    check("three.js glb, colours", {tuple(row) for row in array_of(mesh, "color")}, {(k / 8, 0.5, 1) for k in side})
+    points, normals = array_of(mesh, "position"), array_of(mesh, "normal")
+    outward = [(point - 0.5) @ normal for point, normal in zip(points, normals)]
+    check("three.js glb, normals", (set(outward), set(np.linalg.norm(normals, axis=1))), ({0.5}, {1.0}))
+
+
+def vtk_reads_glb():
+    parts = vtk_parts("boxes.glb")
+    check("VTK glb, parts", len(parts), len(surfaces))
+    found = [(part.GetNumberOfCells(), rounded(area(vtk_to_numpy(part.GetPoints().GetData()), polys_of(part)))) for part in parts]
+    check("VTK glb, triangles", sorted(found), sorted(expected_parts.values()))
+    names = {name: vtk_parts("painted.glb")[0].GetPointData().GetArray(name).GetNumberOfTuples() for name in ("NORMAL", "COLOR_0", "TEXCOORD_0")}
+    check("VTK glb, data", names, {"NORMAL": 24, "COLOR_0": 24, "TEXCOORD_0": 24})
+
+
 faces = sum(line.startswith("*ELEMENT") for line in (folder / "boxes-inp.inp").read_text().splitlines())
-for step in (
+run(
     lambda: meshio_gmsh("boxes-msh.msh"),
     lambda: meshio_gmsh("boxes-msh22.msh"),
     meshio_vtu,
@@ -255,12 +319,8 @@ for step in (
     meshio_writes,
     vtk_reads_and_writes,
     gmsh_reads_and_writes,
-):
-    try:
-        step()
-    except (Exception, SystemExit) as error:  # a reader that gives up is a failure like another
-        failures.append(f"{getattr(step, '__name__', 'step')}: {type(error).__name__}: {error}")
-for failure in failures:
-    print(failure)
-print(f"check-formats: {checks} checks, {len(failures)} failures")
-sys.exit(1 if failures else 0)
+    three_reads_glb,
+    three_reads_data,
+    vtk_reads_glb,
+)
+finish()

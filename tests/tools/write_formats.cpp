@@ -1,24 +1,24 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Writes a labelled partition of two boxes in every format of analysis programs, and says what a file holds, for scripts/check-formats.
+// Writes a labelled partition of two boxes in every format of analysis programs and as GLB, and says what a file holds, for
+// scripts/check-formats.
 // usage: write_formats OUT_FOLDER | write_formats --read FILE   (both print counts, areas and names of groups)
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <exception>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
-#include <stdexcept>
 #include <string>
 #include <tuple>
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/boolean/result_regions.h"
+#include "mortise/io/files.h"
 #include "mortise/io/formats.h"
+#include "mortise/mesh/corner_data.h"
 #include "mortise/mesh/shapes.h"
 
 using namespace mortise;
@@ -119,23 +119,34 @@ void print_summary(const EntityMesh& mesh) {
   }
 }
 
+/// A cube with all the data a GLB file keeps: texture coordinates and colours that part its sides, normals.
+SurfaceMesh painted_cube() {
+  SurfaceMesh cube = labelled_box(0, 3, "cube");
+  DataChannel uv{"uv", 2, DataKind::Value, {}}, color{"color", 3, DataKind::Value, {}}, normal{"normal", 3, DataKind::Normal, {}};
+  for (std::size_t face = 0; face < cube.triangles.size(); ++face) {
+    const auto side = static_cast<double>(face / 2);
+    for (std::size_t k = 0; k < 3; ++k) {
+      uv.values.insert(uv.values.end(), {side / 8, 0.25});
+      color.values.insert(color.values.end(), {side / 8, 0.5, 1});
+      normal.values.insert(normal.values.end(), 3, no_value);  // that of the triangle
+    }
+  }
+  cube.corner_data = {uv, color, normal};
+  return cube;
+}
+
 void write_all(const std::string& folder) {
   const EntityMesh mesh = make_partition();
   for (const Format format : analysis_formats) {
     const std::string name(format_name(format));
-    std::ofstream stream(folder + "/boxes-" + name + "." + (format == Format::Msh22 ? "msh" : name), std::ios::binary);
-    stream << write_entity_mesh(mesh, format);
-    if (!stream) throw std::runtime_error("cannot write to " + folder);
+    write_file(folder + "/boxes-" + name + "." + (format == Format::Msh22 ? "msh" : name), write_entity_mesh(mesh, format));
   }
+  write_file(folder + "/boxes.glb", write_entity_mesh(mesh, Format::Glb));
+  write_mesh_file(folder + "/painted.glb", painted_cube());
   print_summary(mesh);
 }
 
-void read_one(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream && bytes.empty()) throw std::runtime_error("cannot read " + path);
-  print_summary(read_entity_mesh(bytes, path));
-}
+void read_one(const std::string& path) { print_summary(read_entity_mesh(read_file(path), path)); }
 
 }  // namespace
 
