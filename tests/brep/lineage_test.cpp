@@ -75,6 +75,19 @@ TEST_CASE("regions of a partition come from the regions that contain them", "[br
   CHECK(found == std::multiset<std::pair<double, std::size_t>>{{1, 2}, {63, 1}});
 }
 
+TEST_CASE("what an operation leaves hollow comes from no region", "[brep][lineage]") {
+  const ResultModel hollow(Operation::Subtract, {box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})});
+  REQUIRE(hollow.model.brep.region_count == 3);
+  REQUIRE(count_results(hollow, 0, region) == 1);
+  CHECK(measure(hollow.result, hollow.lineage.results_of({0, {region, 1}})[0].result) == 63);
+  CHECK(count_results(hollow, 1, region) == 0);
+  const ResultModel either(Operation::SymmetricDifference, {box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})});
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    REQUIRE(count_results(either, k, region) == 1);
+    CHECK(measure(either.result, either.lineage.results_of({k, {region, 1}})[0].result) == 7);
+  }
+}
+
 TEST_CASE("of an operand in several pieces the one round a region is its source", "[brep][lineage]") {
   const SurfaceMesh two = joined({box({0, 0, 0}, {4, 4, 4}), box({5, 0, 0}, {9, 4, 4})});
   const ResultModel m(Operation::Intersect, {box({6, 1, 1}, {7, 2, 2}), two});

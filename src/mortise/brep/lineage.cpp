@@ -154,8 +154,9 @@ class LineageTracer {
       look_at_side(FaceId(t), false, signs[face.region_behind.value]);
       look_at_side(FaceId(t), true, signs[face.region_in_front.value]);
     }
+    const std::vector<std::uint8_t> is_void = find_voids(result_.mesh, result_.model);
     for (auto& [region, seen] : signs) {
-      if (region != 0) link_region(region, seen);
+      if (region != 0 && is_void[region] == 0) link_region(region, seen);
     }
   }
 

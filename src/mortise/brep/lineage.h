@@ -39,8 +39,8 @@ struct Lineage {
 /// Links every entity of a result's model with those of the operands it lies on.
 ///
 /// A face comes from the faces its facets are parts of. A vertex comes from vertices at its place. An edge comes from those
-/// on which its mesh edges lie, to within what rounding moved. A region comes from every region that contains it, but for voids
-/// and the outside.
+/// on which its mesh edges lie, to within what rounding moved. A region comes from every region that contains it; voids, of
+/// operands and of the result, and the outside come from nothing and become nothing.
 /// @param operands  the models of the operands as the operation got them, by number
 /// @throws Error{InvalidArgument} when a facet comes from a triangle that no operand has
 /// O(n log n), plus a ray through an operand of several regions for each region inside it that its faces do not bound.
