@@ -1,18 +1,13 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Attributes through operations and policies (Fig. 18), measured before and after.
+// Attributes through operations by policy, measured before and after.
 #include "mortise/brep/attributes.h"
 
 #include <algorithm>
-#include <numeric>
 
-#include "mortise/mesh/measures.h"
-#include "mortise/mesh/shapes.h"
-#include "mortise/mesh/transform.h"
 #include "support/catch.h"
 #include "support/mesh_checks.h"
 #include "support/models.h"
-#include "support/random_source.h"
 
 using namespace mortise;
 using namespace mortise::test;
@@ -21,17 +16,11 @@ namespace {
 
 constexpr EntityDimension edge = EntityDimension::Edge, face = EntityDimension::Face, region = EntityDimension::Region;
 
-SurfaceMesh frustum() {
-  const std::vector<Vec2d> profile{{0, -1}, {2, -1}, {1, 1}, {0, 1}};
-  return revolve(profile, 48);
-}
-SurfaceMesh sphere() { return moved(make_icosphere(1.4, 3), {1, 0.25, 0.5}); }
-
 Attribute on(const std::string& name, std::vector<ModelEntity> targets, AttributePolicy policy = {}, const std::string& value = "1") {
   return {name, AttributeKind::User, value, std::move(targets), policy};
 }
 
-/// The face of a model whose triangle lies highest or lowest along z with a normal that way, or else the one between.
+/// The face of a model in a plane across z.
 std::uint32_t face_at(const ModelView& view, double z) {
   for (std::uint32_t f = 0; f < view.model.brep.faces.size(); ++f) {
     const Box3 box = bounding_box(view, {face, f});
@@ -40,89 +29,7 @@ std::uint32_t face_at(const ModelView& view, double z) {
   throw std::logic_error("no face there");
 }
 
-std::uint32_t side_of(const ModelView& view) {
-  for (std::uint32_t f = 0; f < view.model.brep.faces.size(); ++f) {
-    const Box3 box = bounding_box(view, {face, f});
-    if (box.lo.z != box.hi.z) return f;
-  }
-  throw std::logic_error("no side");
-}
-
-/// Steel and paint on the side of the frustum, a load on its top, pressure on the sphere, a material in both.
-struct Fig18 {
-  explicit Fig18(const ResultModel& m, AttributePolicy policy = {})
-      : of_frustum{on("steel", {{face, side_of(m.operands[0])}}, policy), on("load", {{face, face_at(m.operands[0], 1)}}, policy),
-                   on("matter", {{region, 1}}, policy)},
-        of_sphere{on("pressure", {{face, 0}}, policy), on("matter", {{region, 1}}, policy)} {}
-
-  std::vector<Attribute> of_frustum, of_sphere;
-};
-
-std::vector<AttributeMeasure> transferred_measures(const ResultModel& m, const Fig18& given) {
-  const std::vector<OperandAttributes> operands{{given.of_frustum, &m.operand_models[0].brep},
-                                                {given.of_sphere, &m.operand_models[1].brep}};
-  return measure_attributes(m.result, transfer_attributes(m.lineage, operands));
-}
-
-double area_of(const std::vector<AttributeMeasure>& measures, const std::string& name) {
-  double area = 0;
-  for (const AttributeMeasure& m : measures) area += m.name == name ? m.area : 0;
-  return area;
-}
-
-double volume_of(const std::vector<AttributeMeasure>& measures, const std::string& name) {
-  double volume = 0;
-  for (const AttributeMeasure& m : measures) volume += m.name == name ? m.volume : 0;
-  return volume;
-}
-
-/// The same mesh, its vertices and triangles in another order.
-SurfaceMesh renumbered(const SurfaceMesh& mesh, RandomSource& random) {
-  const auto shuffled = [&](std::size_t count) {
-    std::vector<std::size_t> order(count);
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    for (std::size_t i = count; i > 1; --i) std::swap(order[i - 1], order[random.below(i)]);
-    return order;
-  };
-  const std::vector<std::size_t> vertex_place = shuffled(mesh.points.size()), triangle_place = shuffled(mesh.triangles.size());
-  SurfaceMesh result = mesh;
-  for (std::size_t v = 0; v < mesh.points.size(); ++v) result.points[vertex_place[v]] = mesh.points[v];
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) result.triangles[triangle_place[t]][k] = VertexId(vertex_place[mesh.triangles[t][k].index()]);
-  }
-  return result;
-}
-
 }  // namespace
-
-TEST_CASE("frustum and sphere: every attribute covers what is left of its parent, whatever the numbering (Fig. 18)",
-          "[brep][attributes][paper]") {
-  RandomSource random(18);
-  for (int round = 0; round < 4; ++round) {
-    const std::vector<SurfaceMesh> solids{round == 0 ? frustum() : renumbered(frustum(), random),
-                                          round == 0 ? sphere() : renumbered(sphere(), random)};
-    const ResultModel common(Operation::Intersect, solids), either(Operation::Union, solids), less(Operation::Subtract, solids),
-        parts(Operation::Partition, solids);
-    const Fig18 given(common);
-    const auto inside = transferred_measures(common, given), outside = transferred_measures(either, given),
-               cut = transferred_measures(less, given), all = transferred_measures(parts, given);
-    const ModelView& a = common.operands[0];
-    const ModelView& b = common.operands[1];
-    const double side = measure(a, {face, side_of(a)}), top = measure(a, {face, face_at(a, 1)}), ball = measure(b, {face, 0});
-    CHECK(area_of(inside, "steel") > 0);
-    CHECK(area_of(inside, "load") > 0);
-    CHECK(area_of(inside, "steel") + area_of(outside, "steel") == Approx(side).epsilon(1e-12));
-    CHECK(area_of(inside, "load") + area_of(outside, "load") == Approx(top).epsilon(1e-12));
-    CHECK(area_of(inside, "pressure") + area_of(outside, "pressure") == Approx(ball).epsilon(1e-12));
-    CHECK(area_of(cut, "steel") == Approx(area_of(outside, "steel")).epsilon(1e-12));
-    CHECK(area_of(cut, "pressure") == Approx(area_of(inside, "pressure")).epsilon(1e-12));
-    CHECK(area_of(all, "steel") == Approx(side).epsilon(1e-12));
-    CHECK(area_of(all, "pressure") == Approx(ball).epsilon(1e-12));
-    CHECK(volume_of(inside, "matter") == Approx(enclosed_volume(common.boolean.mesh)).epsilon(1e-12));
-    CHECK(volume_of(all, "matter") == Approx(enclosed_volume(either.boolean.mesh)).epsilon(1e-12));
-    for (const auto* measures : {&inside, &outside, &cut, &all}) CHECK(measures->size() == 4);
-  }
-}
 
 TEST_CASE("a split attribute is copied, kept by the largest piece, dropped, or named by its pieces", "[brep][attributes]") {
   // A wall through a plate leaves two pieces of its top, one twice as large.
@@ -175,6 +82,37 @@ TEST_CASE("values that meet are kept together, one of them, none, or refused", "
   CHECK(values(OnMerge::Second) == Volumes{{"\"oil\"", 8}, {"\"steel\"", 7}});
   CHECK(values(OnMerge::Drop) == Volumes{{"\"oil\"", 7}, {"\"steel\"", 7}});
   CHECK(error_of([&] { (void)values(OnMerge::Error); })->code == ErrorCode::InvalidArgument);
+}
+
+TEST_CASE("values that meet where faces coincide are merged there only", "[brep][attributes]") {
+  // The knob's face of area 1/4 lies in the block's of area 4.
+  const ResultModel m(Operation::Partition, {box({0, 0, 0}, {2, 2, 2}), box({2, 0.5, 0.5}, {3, 1, 1})});
+  const auto face_across_x = [&](std::size_t k) {
+    for (std::uint32_t f = 0; f < 6; ++f) {
+      const Box3 found = bounding_box(m.operands[k], {face, f});
+      if (found.lo.x == 2 && found.hi.x == 2) return f;
+    }
+    throw std::logic_error("no face there");
+  };
+  const auto areas = [&](OnMerge on_merge) {
+    AttributePolicy policy;
+    policy.on_merge = on_merge;
+    const std::vector<Attribute> of_a{on("finish", {{face, face_across_x(0)}}, policy, "\"rough\"")},
+        of_b{on("finish", {{face, face_across_x(1)}}, policy, "\"smooth\"")};
+    const std::vector<OperandAttributes> operands{{of_a, &m.operand_models[0].brep}, {of_b, &m.operand_models[1].brep}};
+    std::vector<std::pair<std::string, double>> found;
+    for (const Attribute& a : transfer_attributes(m.lineage, operands)) {
+      found.emplace_back(a.value, 0);
+      for (const ModelEntity& e : a.targets) found.back().second += measure(m.result, e);
+    }
+    return found;
+  };
+  using Areas = std::vector<std::pair<std::string, double>>;
+  CHECK(areas(OnMerge::Union) == Areas{{"\"rough\"", 4}, {"\"smooth\"", 0.25}});
+  CHECK(areas(OnMerge::First) == Areas{{"\"rough\"", 4}});
+  CHECK(areas(OnMerge::Second) == Areas{{"\"rough\"", 3.75}, {"\"smooth\"", 0.25}});
+  CHECK(areas(OnMerge::Drop) == Areas{{"\"rough\"", 3.75}});
+  CHECK(error_of([&] { (void)areas(OnMerge::Error); })->code == ErrorCode::InvalidArgument);
 }
 
 TEST_CASE("what is cut away goes with its attribute, or gives it to its neighbours", "[brep][attributes]") {

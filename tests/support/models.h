@@ -3,6 +3,7 @@
 // The model of a result with those of its operands.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "mortise/boolean/evaluate_boolean.h"
@@ -14,11 +15,16 @@ namespace mortise::test {
 
 /// Everything about the models of one operation. Stays where it is: views refer into it.
 struct ResultModel {
-  ResultModel(Operation operation, std::vector<SurfaceMesh> solids, const BrepRules& rules = {}, const BooleanOptions& options = {})
-      : meshes(std::move(solids)) {
+  ResultModel(Operation operation, std::vector<SurfaceMesh> operand_meshes, const BrepRules& rules = {}, const BooleanOptions& options = {})
+      : ResultModel([&](const OperandList& list) { return evaluate_boolean(operation, list, options); }, std::move(operand_meshes), rules) {
+  }
+
+  ResultModel(const std::function<BooleanResult(const OperandList&)>& evaluate, std::vector<SurfaceMesh> operand_meshes,
+              const BrepRules& rules = {})
+      : meshes(std::move(operand_meshes)) {
     for (const SurfaceMesh& mesh : meshes) operand_models.push_back(build_brep(mesh));
     for (std::size_t k = 0; k < meshes.size(); ++k) operands.push_back(view_of(meshes[k], operand_models[k]));
-    boolean = evaluate_boolean(operation, pointers_to(meshes), options);
+    boolean = evaluate(pointers_to(meshes));
     std::vector<FaceNormals> normals;
     for (const SurfaceMesh& mesh : meshes) normals.push_back(measure_normals(mesh, build_topology(mesh)));
     model = build_brep(boolean.mesh, rules, source_normals(boolean.provenance, normals));
