@@ -162,6 +162,25 @@ TEST_CASE("interfaces are named by both sides", "[brep][attributes]") {
   for (const ModelEntity& e : loop[0].targets) CHECK(e.dimension == edge);
 }
 
+TEST_CASE("attributes of corners stay with those that are left", "[brep][attributes]") {
+  const std::vector<SurfaceMesh> boxes{box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3})};
+  const auto corners = [&](Operation operation) {
+    const ResultModel m(operation, boxes);
+    std::vector<ModelEntity> all;
+    for (std::uint32_t v = 0; v < 8; ++v) all.push_back({EntityDimension::Vertex, v});
+    const std::vector<Attribute> of_a{on("a", all)}, of_b{on("b", all)};
+    const std::vector<OperandAttributes> operands{{of_a, &m.operand_models[0].brep}, {of_b, &m.operand_models[1].brep}};
+    std::vector<std::size_t> counts;
+    for (const AttributeMeasure& found : measure_attributes(m.result, transfer_attributes(m.lineage, operands)))
+      counts.push_back(found.vertices);
+    return counts;
+  };
+  CHECK(corners(Operation::Union) == std::vector<std::size_t>{7, 7});
+  CHECK(corners(Operation::Intersect) == std::vector<std::size_t>{1, 1});
+  CHECK(corners(Operation::Subtract) == std::vector<std::size_t>{7, 1});
+  CHECK(corners(Operation::Partition) == std::vector<std::size_t>{8, 8});
+}
+
 TEST_CASE("an attribute on an entity that is not there is refused by name", "[brep][attributes]") {
   const ResultModel m(Operation::Union, {box({0, 0, 0}, {1, 1, 1}), box({5, 0, 0}, {6, 1, 1})});
   const std::vector<Attribute> given{on("lost", {{face, 6}})};
