@@ -171,6 +171,32 @@ TEST_CASE("names in real files are names in the result, after round trips of ope
   }
 }
 
+TEST_CASE("a body and four fins in one call: all names of the five files", "[brep][io][scenario]") {
+  if (is_data_missing()) return;
+  std::vector<SurfaceMesh> solids;
+  Names names;
+  std::vector<Areas> areas;
+  for (const char* part : {"bullet", "fin1", "fin2", "fin3", "fin4"}) {
+    const std::string file = std::string("aircraft/cape_") + part + ".obj";
+    solids.push_back(read_data(file));
+    areas.push_back(areas_of_labels(solids.back()));
+    names.merge(names_in_file(file));
+  }
+  const SurfaceMesh united = evaluate(Operation::Union, solids).mesh, less = evaluate(Operation::Subtract, solids).mesh;
+  check_same(areas_of_labels(evaluate(Operation::Partition, solids).mesh), sum_of(areas));
+  CHECK(names_of(areas_of_labels(united)) == names);
+  // What the union keeps of the body, the difference keeps; the fins do not touch one another.
+  const Areas of_union = areas_of_labels(united), of_difference = areas_of_labels(less);
+  for (const auto& [name, area] : areas[0]) CHECK(of_difference.at(name) == Approx(of_union.at(name)).epsilon(1e-12));
+  for (std::size_t k = 1; k < 5; ++k) {
+    for (const auto& [name, area] : areas[k]) {
+      const auto inside = of_difference.find(name);
+      CHECK(of_union.at(name) + (inside == of_difference.end() ? 0 : inside->second) == Approx(area).epsilon(1e-12));
+    }
+  }
+  for (const Format format : carriers) check_same(areas_of_labels(carried(united, format)), of_union);
+}
+
 TEST_CASE("models of results carry the names of real files into groups of faces", "[brep][io][scenario]") {
   if (is_data_missing()) return;
   for (const NamedPair& pair : named_pairs) {
