@@ -304,6 +304,7 @@ std::vector<Call> mesh_calls() {
       {"write and read VTK", [](Options) { return write_and_read(Format::Vtk); }},
       {"write and read VTU", [](Options) { return write_and_read(Format::Vtu); }},
       {"write and read MEDIT", [](Options) { return write_and_read(Format::Medit); }},
+      {"write GLB", [](Options) { return Digest().add(write_mesh(operands.touching[0], Format::Glb)).value(); }},
   };
 }
 
