@@ -146,6 +146,7 @@ function outcome(name, word, operands) {
       measures: Float64Array.of(volume ?? 0, area, minAngleDeg ?? 0, maxAngleDeg ?? 0, contact.length, contact.area, report.certified ? 1 : 0, report.closed ? 1 : 0),
       'ply-ascii': mortise.writeMesh(mesh, { format: 'ply-ascii' }),
       stl: mortise.writeMesh(mesh, { format: 'stl' }),
+      glb: mortise.writeMesh(mesh, { format: 'glb' }),
     };
     return [
       ...arraysOfMesh(`${name}.`, mesh),

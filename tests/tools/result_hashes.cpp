@@ -154,7 +154,7 @@ void write_result(const std::string& prefix, const BooleanResult& result) {
   write_measures(prefix, result, regions);
   write_surface(prefix + "float32.", round_to_float32(result.mesh));
   write_model(prefix + "model.", result.mesh);
-  for (const Format format : {Format::PlyAscii, Format::StlBinary}) {
+  for (const Format format : {Format::PlyAscii, Format::StlBinary, Format::Glb}) {
     const std::string bytes = write_mesh(result.mesh, format);
     write_bytes(prefix + std::string(format_name(format)), bytes.data(), bytes.size());
   }
