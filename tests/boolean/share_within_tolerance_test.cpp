@@ -182,6 +182,32 @@ TEST_CASE("what a tolerance leaves nothing of is named", "[tolerance]") {
   CHECK(result.report.notes == std::vector<std::string>{"operand 1 is thinner than the tolerance and vanished"});
 }
 
+TEST_CASE("a part that sharing turns inside out is thinner than the tolerance and vanishes; one that was inside out is refused",
+          "[tolerance]") {
+  std::vector<SurfaceMesh> boxes{make_box({0, 0, 0}, {1, 3, 3}), make_box({1, 4, 0}, {4, 6, 3})};
+  // With these diagonals four triangles of the second are left, and they run the other way.
+  constexpr std::array<std::array<std::uint32_t, 3>, 12> corners{
+      {{2, 3, 1}, {2, 1, 0}, {5, 7, 6}, {5, 6, 4}, {1, 5, 4}, {1, 4, 0}, {6, 7, 3}, {6, 3, 2}, {4, 6, 2}, {4, 2, 0}, {3, 7, 5}, {3, 5, 1}}};
+  for (std::size_t f = 0; f < corners.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) boxes[1].triangles[f][k] = VertexId(corners[f][k]);
+  }
+  const BooleanResult result = evaluate_within(3.16, Operation::Union, boxes);
+  CHECK(result.mesh.triangles.empty());
+  CHECK(result.report.notes == std::vector<std::string>{"operand 0 is thinner than the tolerance and vanished",
+                                                        "operand 1 is thinner than the tolerance and vanished"});
+  SurfaceMesh turned = make_box({0, 0, 0}, {8, 8, 8});
+  for (Triangle& t : turned.triangles) std::swap(t[1], t[2]);
+  const std::vector<SurfaceMesh> given{boxes[0], turned};
+  try {
+    (void)evaluate_within(1e-3, Operation::Union, given);
+    FAIL("not refused");
+  } catch (const Error& error) {
+    CHECK(error.code == ErrorCode::InsideOut);
+    CHECK(error.operand == 1);
+    CHECK(error.ids.size() == turned.triangles.size());
+  }
+}
+
 TEST_CASE("no tolerance changes nothing; with one sources are those of the operands as given", "[tolerance]") {
   RandomSource random(3);
   const std::vector<SurfaceMesh> cubes = loose_block(random, 1e-7);

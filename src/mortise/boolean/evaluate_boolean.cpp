@@ -24,6 +24,7 @@
 #include "mortise/boolean/share_within_tolerance.h"
 #include "mortise/boolean/simplify.h"
 #include "mortise/boolean/transfer_data.h"
+#include "mortise/mesh/volume_sign.h"
 
 namespace mortise {
 namespace {
@@ -271,17 +272,35 @@ EvaluatedSelection evaluate_and_repair(const Call& call, const OperandList& oper
 
 // What evaluate_and_repair says of shared operands, said of those they were made from.
 EvaluatedSelection evaluate_for_given(const Call& call, const OperandList& given, OperandFaces& given_faces, const OperandList& shared) {
-  try {
-    EvaluatedSelection evaluated = evaluate_and_repair(call, shared);
-    for (SheetOperand& sheet : evaluated.result.report.sheets) {
-      const OperandId k(sheet.operand);
-      given_faces.kind[k] = OperandKind::Sheet;
-      sheet.open_edges = open_edges(given.mesh(k.index()), given_faces, k);
+  EvaluatedSelection evaluated = evaluate_and_repair(call, shared);
+  for (SheetOperand& sheet : evaluated.result.report.sheets) {
+    const OperandId k(sheet.operand);
+    given_faces.kind[k] = OperandKind::Sheet;
+    sheet.open_edges = open_edges(given.mesh(k.index()), given_faces, k);
+  }
+  return evaluated;
+}
+
+// Has sharing turned the operand that is inside out?
+bool is_turned_by_sharing(const Error& error, const OperandList& given) {
+  return error.code == ErrorCode::InsideOut && error.operand >= 0 &&
+         enclosed_volume_sign(given.mesh(static_cast<std::size_t>(error.operand))) == Sign::Positive;
+}
+
+// Nothing is left of an operand that sharing turned inside out, for it is thinner than the tolerance.
+EvaluatedSelection evaluate_what_is_left(const Call& call, const OperandList& given, OperandFaces& given_faces, SharedOperands& shared) {
+  while (true) {
+    try {
+      return evaluate_for_given(call, given, given_faces, OperandList(meshes_of(shared.operands)));
+    } catch (const Error& error) {
+      if (!is_turned_by_sharing(error, given)) {
+        if (error.operand >= 0) refuse_operand(given.meshes(), given_faces, OperandId(static_cast<std::size_t>(error.operand)), error.code);
+        throw;
+      }
+      const auto k = static_cast<std::size_t>(error.operand);
+      shared.operands[k] = {};
+      shared.operands[k].mesh.label_names = given.mesh(k).label_names;
     }
-    return evaluated;
-  } catch (const Error& error) {
-    if (error.operand >= 0) refuse_operand(given.meshes(), given_faces, OperandId(static_cast<std::size_t>(error.operand)), error.code);
-    throw;
   }
 }
 
@@ -297,14 +316,15 @@ bool is_folded_flat(const SurfaceMesh& mesh) {
   return std::all_of(times.begin(), times.end(), [](const auto& entry) { return entry.second == 0; });
 }
 
-// Only where faces collapsed may nothing be left of an operand.
-std::vector<std::string> notes_of_vanished(const SharedOperands& shared) {
+// Only where faces collapsed may an operand be folded flat.
+std::vector<std::string> notes_of_vanished(const OperandList& given, const SharedOperands& shared) {
+  std::vector<std::uint8_t> has_collapsed(given.size(), 0);
+  for (const OperandFace& face : shared.report.collapsed) has_collapsed[face.operand] = 1;
   std::vector<std::string> notes;
-  std::uint32_t before = Provenance::none;
-  for (const OperandFace& face : shared.report.collapsed) {
-    if (face.operand != before && is_folded_flat(shared.operands[face.operand].mesh))
-      notes.push_back("operand " + std::to_string(face.operand) + " is thinner than the tolerance and vanished");
-    before = face.operand;
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const SurfaceMesh& mesh = shared.operands[k].mesh;
+    const bool may_vanish = has_collapsed[k] != 0 || (mesh.triangles.empty() && !given.mesh(k).triangles.empty());
+    if (may_vanish && is_folded_flat(mesh)) notes.push_back("operand " + std::to_string(k) + " is thinner than the tolerance and vanished");
   }
   return notes;
 }
@@ -316,10 +336,10 @@ EvaluatedSelection evaluate_shared(const Call& call, const OperandList& operands
   OperandFaces given_faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
   const auto share = [&] { return share_within_tolerance(operands.meshes(), call.options.tolerance, call.options.progress); };
   SharedOperands shared = timed(times, "share_within_tolerance", share);
-  EvaluatedSelection evaluated = evaluate_for_given(call, operands, given_faces, OperandList(meshes_of(shared.operands)));
+  EvaluatedSelection evaluated = evaluate_what_is_left(call, operands, given_faces, shared);
   BooleanReport& report = evaluated.result.report;
   report.stages.insert(report.stages.begin(), times.begin(), times.end());
-  for (std::string& note : notes_of_vanished(shared)) report.notes.push_back(std::move(note));
+  for (std::string& note : notes_of_vanished(operands, shared)) report.notes.push_back(std::move(note));
   report.tolerance = std::move(shared.report);
   std::vector<OperandVertex>& moved = report.certificate.moved_input_vertices;
   const std::vector<OperandVertex> snapped = std::move(moved);
