@@ -29,12 +29,10 @@ void refuse_bad_input(const SurfaceMesh& mesh, const BrepRules& rules) {
     throw Error(ErrorCode::InvalidArgument, stage_name, "triangles repeat a vertex: repair the mesh first").with_ids(IdKind::Faces, bad);
 }
 
-FaceComponents connect_smoothly(const SurfaceMesh& mesh, const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature) {
-  UnionFind faces(mesh.triangles.size());
-  for (std::size_t e = 0; e < is_feature.size(); ++e) {
-    if (is_feature[e] != 0) continue;
-    const auto uses = topology.uses_of(MeshEdgeId(e));
-    faces.join(face_of(uses[0]).value, face_of(uses[1]).value);
+FaceComponents connect_smoothly(const HalfEdgesAcross& across) {
+  UnionFind faces(across.size() / 3);
+  for (HalfEdge h = 0; h < across.size(); ++h) {
+    if (across[h] != no_half_edge && h < across[h]) faces.join(face_of(h).value, face_of(across[h]).value);
   }
   return number_components(faces);
 }
@@ -44,24 +42,38 @@ struct DividedMesh {
   FaceComponents pieces;
   FeatureEdges features;
   FaceBoundaries boundaries;
+  std::vector<std::uint8_t> is_corner;  // per mesh vertex
   TracedEdges edges;
 };
+
+/// Makes features of seams.
+void open_along(const std::vector<MeshEdgeId>& seams, const SurfaceMesh& mesh, const MeshTopology& topology, HalfEdgesAcross& across,
+                FeaturesRound& round, DividedMesh& d) {
+  std::vector<std::uint8_t> opened(d.pieces.count, 0);
+  for (const MeshEdgeId e : seams) {
+    d.features.is_feature[e.index()] = d.features.is_seam[e.index()] = 1;
+    for (const HalfEdge h : topology.uses_of(e)) {
+      across[h] = no_half_edge;
+      opened[d.pieces.component_of[face_of(h).index()]] = 1;
+    }
+  }
+  round = edges_round_vertices(topology, d.features.is_feature, mesh.points.size());
+  walk_again(across, d.pieces, opened, d.boundaries);
+  add_corners_on_seams(mesh, topology, d.features, round, d.pieces, seams, d.is_corner);
+}
 
 DividedMesh divide(const SurfaceMesh& mesh, const MeshTopology& topology, const BrepRules& rules, const FaceNormals& normals) {
   DividedMesh d;
   d.features.is_feature = find_feature_edges(mesh, topology, normals, rules.features);
   d.features.is_seam.assign(topology.edges.size(), 0);
-  d.pieces = connect_smoothly(mesh, topology, d.features.is_feature);
-  const auto trace = [&] {
-    d.boundaries = find_face_boundaries(mesh, topology, d.features.is_feature, d.pieces);
-    std::vector<std::uint8_t> corners = find_corners(mesh, topology, d.features, d.pieces, d.boundaries, rules.edge_angle_deg);
-    for (std::size_t v = 0; v < d.edges.is_corner.size(); ++v) corners[v] |= d.edges.is_corner[v];
-    d.edges = trace_edges(mesh, topology, d.features.is_feature, std::move(corners));
-  };
-  trace();
-  const std::vector<MeshEdgeId> seams = find_seams(rules.seams, mesh, topology, d.pieces, d.boundaries, d.edges.is_corner);
-  for (const MeshEdgeId e : seams) d.features.is_feature[e.index()] = d.features.is_seam[e.index()] = 1;
-  if (!seams.empty()) trace();
+  HalfEdgesAcross across = half_edges_across(topology, d.features.is_feature);
+  d.pieces = connect_smoothly(across);
+  d.boundaries = find_face_boundaries(mesh, across, d.pieces);
+  FeaturesRound round = edges_round_vertices(topology, d.features.is_feature, mesh.points.size());
+  d.is_corner = find_corners(mesh, topology, d.features, round, d.pieces, d.boundaries, rules.edge_angle_deg);
+  const std::vector<MeshEdgeId> seams = find_seams(rules.seams, mesh, topology, d.pieces, d.boundaries, d.is_corner);
+  if (!seams.empty()) open_along(seams, mesh, topology, across, round, d);
+  d.edges = trace_edges(topology, d.features.is_feature, round, d.is_corner);
   return d;
 }
 
@@ -98,7 +110,7 @@ class BrepBuilder {
       for (const VertexId v : c.path.of(ModelEdgeId(e))) c.entity_of_vertex[v.index()] = {EntityDimension::Edge, e};
     }
     for (std::size_t v = 0; v < mesh_.points.size(); ++v) {
-      if (divided_.edges.is_corner[v] == 0) continue;
+      if (divided_.is_corner[v] == 0) continue;
       c.entity_of_vertex[v] = {EntityDimension::Vertex, static_cast<std::uint32_t>(c.mesh_vertex.size())};
       c.mesh_vertex.push_back(VertexId(v));
     }
@@ -145,7 +157,7 @@ class BrepBuilder {
         face_uses, brep.edges.size(), [](const auto& use) { return use.first; }, [](const auto& use) { return use.second; });
   }
 
-  [[nodiscard]] bool is_corner(HalfEdge h) const { return divided_.edges.is_corner[origin_of(mesh_, h).index()] != 0; }
+  [[nodiscard]] bool is_corner(HalfEdge h) const { return divided_.is_corner[origin_of(mesh_, h).index()] != 0; }
 
   // From the first half-edge that leaves a corner on.
   [[nodiscard]] std::pair<ModelLoop, std::vector<EdgeUse>> loop_along(BoundaryId b) const {

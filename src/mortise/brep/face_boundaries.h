@@ -21,6 +21,14 @@ struct TouchedVertex {
   auto operator<=>(const TouchedVertex&) const = default;
 };
 
+/// Per half-edge the other one of its edge, where triangles are joined; `no_half_edge` at features.
+using HalfEdgesAcross = std::vector<HalfEdge>;
+
+inline constexpr HalfEdge no_half_edge = 0xffffffffU;
+
+/// @param is_feature  per edge. Edges that are no features have two triangles that run opposite ways.
+[[nodiscard]] HalfEdgesAcross half_edges_across(const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature);
+
 /// Boundaries of pieces of a surface: the triangles joined through edges that are no features.
 struct FaceBoundaries {
   Lists<BoundaryId, HalfEdge> half_edges;  ///< per boundary end to end, the piece on their left; by lowest half-edge
@@ -29,10 +37,14 @@ struct FaceBoundaries {
   std::vector<std::uint32_t> genus;        ///< per piece
 };
 
-/// Walks round the boundaries. Edges that are no features have two triangles that run opposite ways.
-/// @param is_feature  per edge
+/// Walks round the boundaries.
 /// O(n).
-[[nodiscard]] FaceBoundaries find_face_boundaries(const SurfaceMesh& mesh, const MeshTopology& topology,
-                                                  const std::vector<std::uint8_t>& is_feature, const FaceComponents& pieces);
+[[nodiscard]] FaceBoundaries find_face_boundaries(const SurfaceMesh& mesh, const HalfEdgesAcross& across, const FaceComponents& pieces);
+
+/// Walks round the boundaries again after pieces were opened along seams to pieces of genus 0 that no vertex touches.
+/// @param across  seams are features in it
+/// @param opened  per piece
+void walk_again(const HalfEdgesAcross& across, const FaceComponents& pieces, const std::vector<std::uint8_t>& opened,
+                FaceBoundaries& boundaries);
 
 }  // namespace mortise

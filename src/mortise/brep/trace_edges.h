@@ -17,22 +17,29 @@ struct FeatureEdges {
   std::vector<std::uint8_t> is_seam;     ///< per mesh edge: these are features too
 };
 
+/// The features at every vertex, ascending.
+using FeaturesRound = Lists<VertexId, MeshEdgeId>;
+
 /// Marks the mesh vertices that are model vertices: where other than two features meet, where features turn by more than an
-/// angle, where the pieces along them change, and those a piece touches.
+/// angle, where the pieces along them change, those a piece touches, and of boundaries without any the lexicographically lowest.
 /// @param edge_angle_deg  seams may turn
 /// @return per mesh vertex
 [[nodiscard]] std::vector<std::uint8_t> find_corners(const SurfaceMesh& mesh, const MeshTopology& topology, const FeatureEdges& features,
-                                                     const FaceComponents& pieces, const FaceBoundaries& boundaries, double edge_angle_deg);
+                                                     const FeaturesRound& round, const FaceComponents& pieces,
+                                                     const FaceBoundaries& boundaries, double edge_angle_deg);
 
-/// Paths along features from corner to corner. Closed ones without a corner start at their lexicographically lowest point, which
-/// becomes one.
+/// Marks those that seams make, once these are features too.
+void add_corners_on_seams(const SurfaceMesh& mesh, const MeshTopology& topology, const FeatureEdges& features, const FeaturesRound& round,
+                          const FaceComponents& pieces, const std::vector<MeshEdgeId>& seams, std::vector<std::uint8_t>& is_corner);
+
+/// Paths along features from corner to corner.
 struct TracedEdges {
-  Lists<ModelEdgeId, VertexId> path;    ///< by lowest mesh edge; from the lower end on, round a closed one to the lower neighbour
-  std::vector<ModelEdgeId> edge_of;     ///< per mesh edge; invalid where it is no feature
-  std::vector<std::uint8_t> is_corner;  ///< per mesh vertex
+  Lists<ModelEdgeId, VertexId> path;  ///< by lowest mesh edge; from the lower end on, round a closed one to the lower neighbour
+  std::vector<ModelEdgeId> edge_of;   ///< per mesh edge; invalid where it is no feature
 };
 
-[[nodiscard]] TracedEdges trace_edges(const SurfaceMesh& mesh, const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature,
-                                      std::vector<std::uint8_t> is_corner);
+/// @param is_corner  per mesh vertex; one at least on every closed path
+[[nodiscard]] TracedEdges trace_edges(const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature, const FeaturesRound& round,
+                                      const std::vector<std::uint8_t>& is_corner);
 
 }  // namespace mortise
