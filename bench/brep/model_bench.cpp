@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 // Writes large meshes as STL and prints what their models cost us; scripts/bench-models runs Gmsh on the same files.
-// usage: model_bench FOLDER RUNS   (a line for each: name, triangles, faces, edges, regions, median milliseconds)
+// usage: model_bench FOLDER RUNS   (a line for each: name, triangles, faces, edges, regions, median milliseconds; then, of the pins with a
+// hole drilled into one: "drilled", triangles, triangles visited, milliseconds of the model built anew, and of it rebuilt)
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -50,18 +51,39 @@ SurfaceMesh stored(const std::string& file, const SurfaceMesh& mesh) {
   return weld(read_mesh_file(file)).mesh;
 }
 
-void run(const std::string& folder, const BenchMesh& bench, int runs) {
-  const SurfaceMesh mesh = stored(folder + "/" + bench.name + ".stl", bench.make());
+template <class Work>
+double median_milliseconds(int runs, Work work) {
   std::vector<double> times;
-  ClassifiedBrep model;
   for (int i = 0; i < runs; ++i) {
     const Stopwatch watch;
-    model = build_brep(mesh);
+    work();
     times.push_back(watch.milliseconds());
   }
   std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
+}
+
+void run(const std::string& folder, const BenchMesh& bench, int runs) {
+  const SurfaceMesh mesh = stored(folder + "/" + bench.name + ".stl", bench.make());
+  ClassifiedBrep model;
+  const double time = median_milliseconds(runs, [&] { model = build_brep(mesh); });
   std::printf("%s %zu %zu %zu %zu %.1f\n", bench.name.c_str(), mesh.triangles.size(), model.brep.faces.size(), model.brep.edges.size(),
-              model.brep.region_count - 1, times[times.size() / 2]);
+              model.brep.region_count - 1, time);
+}
+
+void run_drilled(int runs) {
+  const SurfaceMesh plate = pins(), drill = transform(make_cylinder(0.2, 5, 32), translation({2, 2, 1}));
+  const BooleanResult result = subtract(plate, drill);
+  const FaceNormals plate_normals = measure_normals(plate, build_topology(plate)),
+                    drill_normals = measure_normals(drill, build_topology(drill));
+  const ClassifiedBrep plate_model = build_brep(plate), drill_model = build_brep(drill);
+  const std::vector<OperandModel> models{{plate, plate_model, plate_normals}, {drill, drill_model, drill_normals}};
+  RebuiltBrep rebuilt;
+  const double anew = median_milliseconds(runs, [&] {
+    (void)build_brep(result.mesh, {}, source_normals(result.provenance, {plate_normals, drill_normals}));
+  });
+  const double local = median_milliseconds(runs, [&] { rebuilt = rebuild_brep(result.mesh, result.provenance, models); });
+  std::printf("drilled %zu %zu %.1f %.1f\n", result.mesh.triangles.size(), rebuilt.visited, anew, local);
 }
 
 }  // namespace
@@ -72,4 +94,5 @@ int main(int argc, char** argv) {
     return 2;
   }
   for (const BenchMesh& bench : meshes) run(argv[1], bench, std::max(1, std::atoi(argv[2])));
+  run_drilled(std::max(1, std::atoi(argv[2])));
 }

@@ -51,6 +51,8 @@ struct FaceSide {
 struct FaceUse {
   ModelFaceId face;
   bool is_reversed = false;  ///< as in the loop
+
+  auto operator<=>(const FaceUse&) const = default;
 };
 
 /// The boundary representation: entities by number, and for each its neighbours one dimension down and up.
@@ -70,7 +72,8 @@ struct Brep {
   Lists<ShellId, FaceSide> sides_of_shell;
   Lists<ModelRegionId, ShellId> shells_of_region;
   Lists<ModelVertexId, ModelEdgeId> edges_of_vertex;  ///< ascending; a closed edge twice
-  Lists<ModelEdgeId, FaceUse> faces_of_edge;          ///< a face as often as its loops use the edge
+  Lists<ModelEdgeId, FaceUse> faces_of_edge;          ///< a face as often as its loops use the edge; more than two are counterclockwise,
+                                                      ///< looking against the edge, the lowest first
 };
 
 enum class EntityDimension : std::uint8_t { Vertex, Edge, Face, Region, None };

@@ -81,10 +81,7 @@ class FeatureFinder {
     for (const std::array<VertexId, 2>& ends : rules_.user_edges) {
       const std::array<VertexId, 2> edge{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
       const auto found = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), edge);
-      if (found == topology_.edges.end() || *found != edge) {
-        throw Error(ErrorCode::InvalidArgument, stage_name,
-                    "there is no edge from vertex " + std::to_string(ends[0].value) + " to " + std::to_string(ends[1].value));
-      }
+      if (found == topology_.edges.end() || *found != edge) refuse_user_edge(ends, stage_name);
       marks_[static_cast<std::size_t>(found - topology_.edges.begin())] = Mark::Fixed;
     }
   }
@@ -170,6 +167,11 @@ class FeatureFinder {
 std::vector<std::uint8_t> find_feature_edges(const SurfaceMesh& mesh, const MeshTopology& topology, const FaceNormals& normals,
                                              const FeatureRules& rules) {
   return FeatureFinder(mesh, topology, normals, rules).find();
+}
+
+void refuse_user_edge(const std::array<VertexId, 2>& ends, std::string_view stage) {
+  throw Error(ErrorCode::InvalidArgument, stage,
+              "there is no edge from vertex " + std::to_string(ends[0].value) + " to " + std::to_string(ends[1].value));
 }
 
 Lists<VertexId, MeshEdgeId> edges_round_vertices(const MeshTopology& topology, const std::vector<std::uint8_t>& is_marked,

@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 #include "mortise/base/lists.h"
@@ -32,6 +33,9 @@ struct FeatureRules {
 /// O(n).
 [[nodiscard]] std::vector<std::uint8_t> find_feature_edges(const SurfaceMesh& mesh, const MeshTopology& topology,
                                                            const FaceNormals& normals, const FeatureRules& rules);
+
+/// @throws Error{InvalidArgument} naming an edge that is not in the mesh
+[[noreturn]] void refuse_user_edge(const std::array<VertexId, 2>& ends, std::string_view stage);
 
 /// The marked edges at every vertex, ascending.
 [[nodiscard]] Lists<VertexId, MeshEdgeId> edges_round_vertices(const MeshTopology& topology, const std::vector<std::uint8_t>& is_marked,

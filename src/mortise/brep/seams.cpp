@@ -36,10 +36,11 @@ class SeamFinder {
         is_corner_(is_corner),
         node_of_(mesh.points.size(), none) {}
 
-  [[nodiscard]] std::vector<MeshEdgeId> find(Seams seams) {
+  [[nodiscard]] std::vector<MeshEdgeId> find(Seams seams, const std::vector<std::uint8_t>& may_open) {
     const std::vector<PieceLoops> loops = loops_of_pieces();
     std::vector<std::uint8_t> is_cut(pieces_.count, 0);
-    for (std::size_t p = 0; p < loops.size(); ++p) is_cut[p] = gets_seams(seams, loops[p], boundaries_.genus[p]) ? 1 : 0;
+    for (std::size_t p = 0; p < loops.size(); ++p)
+      is_cut[p] = may_open[p] != 0 && gets_seams(seams, loops[p], boundaries_.genus[p]) ? 1 : 0;
     const Lists<PieceId, FaceId> faces = faces_of(is_cut);
     for (std::size_t p = 0; p < loops.size(); ++p) {
       if (is_cut[p] != 0) cut(faces.of(PieceId(p)), loops[p].loops, boundaries_.genus[p]);
@@ -275,9 +276,10 @@ class SeamFinder {
 }  // namespace
 
 std::vector<MeshEdgeId> find_seams(Seams seams, const SurfaceMesh& mesh, const MeshTopology& topology, const FaceComponents& pieces,
-                                   const FaceBoundaries& boundaries, const std::vector<std::uint8_t>& is_corner) {
+                                   const FaceBoundaries& boundaries, const std::vector<std::uint8_t>& is_corner,
+                                   const std::vector<std::uint8_t>& may_open) {
   if (seams == Seams::None) return {};
-  return SeamFinder(mesh, topology, pieces, boundaries, is_corner).find(seams);
+  return SeamFinder(mesh, topology, pieces, boundaries, is_corner).find(seams, may_open);
 }
 
 }  // namespace mortise

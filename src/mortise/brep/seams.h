@@ -20,10 +20,11 @@ enum class Seams : std::uint8_t {
 /// Pieces whose loops touch themselves or one another get none.
 ///
 /// @param is_corner  per mesh vertex
+/// @param may_open  per piece: whether to look for any
 /// @return mesh edges, ascending
 /// O(n log n) in the pieces that get seams.
 [[nodiscard]] std::vector<MeshEdgeId> find_seams(Seams seams, const SurfaceMesh& mesh, const MeshTopology& topology,
                                                  const FaceComponents& pieces, const FaceBoundaries& boundaries,
-                                                 const std::vector<std::uint8_t>& is_corner);
+                                                 const std::vector<std::uint8_t>& is_corner, const std::vector<std::uint8_t>& may_open);
 
 }  // namespace mortise

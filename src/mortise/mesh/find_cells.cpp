@@ -16,7 +16,7 @@ SurfacePieces single_faces(const SurfaceMesh& mesh, const MeshTopology& topology
   pieces.of_face.count = static_cast<std::uint32_t>(mesh.triangles.size());
   pieces.of_face.component_of.resize(mesh.triangles.size());
   std::iota(pieces.of_face.component_of.begin(), pieces.of_face.component_of.end(), 0U);
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) pieces.edges.emplace_back(e);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) add_joint(mesh, topology.uses_of(MeshEdgeId(e)), pieces);
   return pieces;
 }
 
@@ -43,8 +43,7 @@ void measure(const SurfaceMesh& mesh, MeshCells& cells) {
 }  // namespace
 
 MeshCells find_cells(const SurfaceMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh);
-  const SurfaceShells shells = find_shells(mesh, topology, single_faces(mesh, topology));
+  const SurfaceShells shells = find_shells(mesh, single_faces(mesh, build_topology(mesh)));
   MeshCells cells;
   for (const std::uint32_t shell : shells.behind) cells.behind.push_back(shells.cell_of_shell[shell]);
   for (const std::uint32_t shell : shells.in_front) cells.in_front.push_back(shells.cell_of_shell[shell]);

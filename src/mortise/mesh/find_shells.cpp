@@ -22,9 +22,8 @@ Vec3d below(const Vec3d& p) { return {p.x, p.y > 0 ? p.y / 2 : p.y == 0 ? -1 : 2
 
 class ShellFinder {
  public:
-  ShellFinder(const SurfaceMesh& mesh, const MeshTopology& topology, const SurfacePieces& pieces)
+  ShellFinder(const SurfaceMesh& mesh, const SurfacePieces& pieces)
       : mesh_(mesh),
-        topology_(topology),
         pieces_(pieces),
         surfaces_(connect_pieces()),
         sides_(2 * std::size_t{pieces.of_face.count} + 1),
@@ -57,27 +56,20 @@ class ShellFinder {
 
   [[nodiscard]] FaceComponents connect_pieces() const {
     UnionFind connected(pieces_.of_face.count);
-    for (const MeshEdgeId e : pieces_.edges) {
-      const auto uses = topology_.uses_of(e);
-      for (const HalfEdge h : uses) connected.join(piece_of(face_of(uses[0])), piece_of(face_of(h)));
+    for (std::size_t i = 0; i < pieces_.joints.size(); ++i) {
+      const auto round = pieces_.joints.of(JointId(i));
+      for (const PieceAtEdge& p : round) connected.join(round[0].piece, p.piece);
     }
     return number_components(connected);
   }
 
   // Going round an edge u -> v counterclockwise one comes to the back of a face that runs along it, and leaves from its front.
   void join_round_edges() {
-    std::vector<HalfEdge> round;
-    for (const MeshEdgeId e : pieces_.edges) {
-      const auto uses = topology_.uses_of(e);
-      round.assign(uses.begin(), uses.end());
-      const std::array<VertexId, 2>& edge = topology_.edges[e.index()];
-      if (round.size() > 2) sort_round_edge(mesh_, edge, round);
-      const auto runs_along = [&](HalfEdge h) { return origin_of(mesh_, h) == edge[0]; };
-      for (std::size_t i = 0; i < round.size(); ++i) {
-        const HalfEdge h = round[i], next = round[(i + 1) % round.size()];
-        const std::uint32_t after = runs_along(h) ? side_in_front(face_of(h)) : side_behind(face_of(h));
-        const std::uint32_t before = runs_along(next) ? side_behind(face_of(next)) : side_in_front(face_of(next));
-        sides_.join(after, before);
+    for (std::size_t i = 0; i < pieces_.joints.size(); ++i) {
+      const auto round = pieces_.joints.of(JointId(i));
+      for (std::size_t k = 0; k < round.size(); ++k) {
+        const PieceAtEdge &p = round[k], &next = round[(k + 1) % round.size()];
+        sides_.join(2 * p.piece + (p.runs_along ? 1 : 0), 2 * next.piece + (next.runs_along ? 0 : 1));
       }
     }
   }
@@ -213,7 +205,6 @@ class ShellFinder {
   }
 
   const SurfaceMesh& mesh_;
-  const MeshTopology& topology_;
   const SurfacePieces& pieces_;
   FaceComponents surfaces_;  // of pieces
   UnionFind sides_;
@@ -227,8 +218,21 @@ class ShellFinder {
 
 }  // namespace
 
-SurfaceShells find_shells(const SurfaceMesh& mesh, const MeshTopology& topology, const SurfacePieces& pieces) {
-  return ShellFinder(mesh, topology, pieces).find();
+void add_joint(const SurfaceMesh& mesh, std::span<const HalfEdge> half_edges, SurfacePieces& pieces) {
+  const VertexId a = origin_of(mesh, half_edges[0]), b = origin_of(mesh, next_in_face(half_edges[0]));
+  const std::array<VertexId, 2> edge{std::min(a, b), std::max(a, b)};
+  std::vector<HalfEdge> sorted;
+  if (half_edges.size() > 2) {
+    sorted.assign(half_edges.begin(), half_edges.end());
+    sort_round_edge(mesh, edge, sorted);
+    half_edges = sorted;
+  }
+  for (const HalfEdge h : half_edges) {
+    pieces.joints.items.push_back({pieces.of_face.component_of[face_of(h).index()], origin_of(mesh, h) == edge[0]});
+  }
+  pieces.joints.close();
 }
+
+SurfaceShells find_shells(const SurfaceMesh& mesh, const SurfacePieces& pieces) { return ShellFinder(mesh, pieces).find(); }
 
 }  // namespace mortise
