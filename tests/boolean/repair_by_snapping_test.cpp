@@ -15,6 +15,7 @@
 #include "support/boolean_checks.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
+#include "support/equal_bits.h"
 #include "support/imprint_checks.h"
 #include "support/mesh_checks.h"
 #include "support/partition_checks.h"
@@ -153,6 +154,34 @@ TEST_CASE("vertex data of snapped results stays that of the operands", "[snappin
       }
     }
   });
+}
+
+TEST_CASE("a vertex of snapped operands has the bits of its source, the sign of a zero too", "[snapping]") {
+  // Three copies of an octahedron; the first two meet in a point that rounds to a vertex of the second but for the sign of a zero.
+  constexpr double below = 0x1p-2 - 0x1p-55, above = 0x1p-2 + 0x1p-54, tiny = 3.552195457048878e-17;
+  SurfaceMesh first, second, third;
+  first.points = {{0.5, 0, 0.25}, {0.25, 0.25, 0.25}, {0, 0, 0.25}, {0.25, -0.25, 0.25}, {0.25, 0, 0.5}, {0.25, 0, 0}};
+  second.points = {{0.5, -0.0, below},     {0.25, below, below},    {0, -0.0, below},
+                   {above, -below, above}, {0.25, -0.0, 2 * below}, {above, 0, 0}};
+  third.points = {{0.5, 0, 0.24999999999999992}, {above, 0.25, below},  {tiny, 0, 0.25},
+                  {above, -0.25, below},         {above, 0, 2 * below}, {0.25, 0, -tiny}};
+  for (SurfaceMesh* mesh : {&first, &second, &third}) {
+    mesh->triangles.clear();
+    for (std::size_t i = 0; i < 4; ++i) mesh->triangles.push_back({VertexId(i), VertexId((i + 1) % 4), VertexId(4)});
+    for (std::size_t i = 0; i < 4; ++i) mesh->triangles.push_back({VertexId((i + 1) % 4), VertexId(i), VertexId(5)});
+  }
+  const std::vector<SurfaceMesh> solids{first, second, third};
+  const BooleanResult result = evaluate(Operation::Union, solids);
+  REQUIRE(is_snapped(result));
+  std::size_t negative_zeros = 0;
+  for (std::size_t v = 0; v < result.mesh.points.size(); ++v) {
+    const std::uint32_t k = result.provenance.vertex_operand[v];
+    if (k == Provenance::none) continue;
+    const Vec3d &p = result.mesh.points[v], &source = solids[k].points[result.provenance.vertex_source[v]];
+    CHECK(have_equal_bits(p, source));
+    negative_zeros += source.y == 0 && std::signbit(source.y) ? 1 : 0;
+  }
+  CHECK(negative_zeros > 0);
 }
 
 TEST_CASE("a sheet next to a face of a solid is cut, and certified, after snapping", "[snapping]") {

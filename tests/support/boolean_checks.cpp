@@ -5,11 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+
+#include "support/equal_bits.h"
 
 namespace mortise::test {
 namespace {
@@ -220,8 +221,6 @@ std::vector<std::vector<SourceFace>> sources_round_made_vertices(const BooleanRe
   }
   return round;
 }
-
-bool have_equal_bits(const Vec3d& a, const Vec3d& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 std::vector<Corners> corners_of_sources(std::span<const SurfaceMesh* const> operands, const std::vector<SourceFace>& sources) {
   std::vector<Corners> corners;

@@ -4,9 +4,10 @@
 #include "support/imprint_checks.h"
 
 #include <algorithm>
-#include <cstring>
 #include <map>
 #include <set>
+
+#include "support/equal_bits.h"
 
 namespace mortise::test {
 namespace {
@@ -25,8 +26,6 @@ class Faults {
  private:
   std::string text_;
 };
-
-bool have_equal_bits(const Vec3d& a, const Vec3d& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
 
 /// The same corners in the same sense (1), the other sense (-1), or other corners (0).
 int sense_of(const Triangle& a, const std::array<std::uint32_t, 3>& b) {

@@ -25,11 +25,14 @@ std::vector<OperandVertex> name_given_sources(std::span<const SurfaceMesh* const
       const std::uint32_t v = vertex_at[points[i].index()], source = made[k].source_vertex[i];
       if (v == Provenance::none || source == Provenance::none) continue;
       const Vec3d& given = operands[k]->points[source];
-      if (!(evaluated.result.mesh.points[v] == (coordinates == Coordinates::Float32 ? nearest_float32(given) : given))) {
+      const Vec3d rounded = coordinates == Coordinates::Float32 ? nearest_float32(given) : given;
+      Vec3d& point = evaluated.result.mesh.points[v];
+      if (!(point == rounded)) {
         moved.push_back({k, source});
       } else if (p.vertex_operand[v] == Provenance::none) {
         p.vertex_operand[v] = k;
         p.vertex_source[v] = source;
+        point = rounded;  // with the sign of its zeros
       }
     }
   }
