@@ -19,6 +19,7 @@
 #include "mortise/brep/lineage.h"
 #include "mortise/brep/model_queries.h"
 #include "mortise/brep/rebuild_brep.h"
+#include "mortise/brep/result_features.h"
 #include "mortise/brep/validate_brep.h"
 #include "mortise/io/files.h"
 #include "mortise/io/formats.h"
