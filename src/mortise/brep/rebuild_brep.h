@@ -6,17 +6,9 @@
 #include <cstddef>
 #include <span>
 
-#include "mortise/brep/build_brep.h"
-#include "mortise/mesh/provenance.h"
+#include "mortise/brep/kept_faces.h"
 
 namespace mortise {
-
-/// An operand with its model, and the normals this was built with.
-struct OperandModel {
-  const SurfaceMesh& mesh;
-  const ClassifiedBrep& model;
-  const FaceNormals& normals;
-};
 
 struct RebuiltBrep {
   ClassifiedBrep model;
@@ -26,10 +18,8 @@ struct RebuiltBrep {
 
 /// The model that build_brep(mesh, rules, source_normals(...)) makes, but for the order of loops, and where they start.
 ///
-/// A face of an operand is untouched when all its triangles are in the result as they were, and at all its vertices, those on its
-/// boundary included, all triangles of the operand and no others: then it is in the result with its boundary and its seam. All other
-/// triangles are divided anew; where that is most of the mesh, all of it. With a weak angle or a least dangling crease faces that features
-/// lead to from there are touched too, for what features are depends on how they go on.
+/// Untouched faces (find_kept_faces) are in the result with their boundaries and seams. All other triangles are divided anew; where that is
+/// most of the mesh, all of it.
 ///
 /// Regions are found from all faces. Triangles are compared with those of the operands one by one; that is not counted.
 /// @param operands  by number; models built by the same rules, but for groups and user edges, and those without any
