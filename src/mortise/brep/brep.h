@@ -97,6 +97,7 @@ struct Classification {
   std::vector<ModelEntity> entity_of_vertex;      ///< per mesh vertex; None for one that no triangle uses
 };
 
+/// Several meshes of one model, before and after remeshing, have equal Breps, each with its own classification (Fig. 4).
 struct ClassifiedBrep {
   Brep brep;
   Classification classification;
