@@ -111,38 +111,6 @@ SurfaceMesh halved(const SurfaceMesh& mesh) {
   return result;
 }
 
-/// What halved() makes of a classification: middles of edges lie on what the edges lie on.
-Classification refined(const Classification& coarse, const SurfaceMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh);
-  const auto middle = [&](VertexId a, VertexId b) {
-    const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), sorted_ends(a, b));
-    return VertexId(mesh.points.size() + static_cast<std::size_t>(found - topology.edges.begin()));
-  };
-  Classification fine;
-  fine.mesh_vertex = coarse.mesh_vertex;
-  fine.entity_of_vertex = coarse.entity_of_vertex;
-  fine.entity_of_vertex.resize(mesh.points.size() + topology.edges.size());
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const ModelFaceId face = coarse.face_of_triangle[t];
-    fine.face_of_triangle.insert(fine.face_of_triangle.end(), 4, face);
-    for (std::size_t k = 0; k < 3; ++k) {
-      fine.entity_of_vertex[mesh.points.size() + topology.edge_of[3 * t + k].index()] = {EntityDimension::Face, face.value};
-    }
-  }
-  for (std::size_t e = 0; e < coarse.path.size(); ++e) {
-    const auto path = coarse.path.of(ModelEdgeId(e));
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const VertexId between = middle(path[i], path[i + 1]);
-      fine.entity_of_vertex[between.index()] = {EntityDimension::Edge, static_cast<std::uint32_t>(e)};
-      fine.path.items.push_back(path[i]);
-      fine.path.items.push_back(between);
-    }
-    fine.path.items.push_back(path.back());
-    fine.path.close();
-  }
-  return fine;
-}
-
 SurfaceMesh result_of(Operation operation, const std::vector<SurfaceMesh>& operands) {
   return evaluate_boolean(operation, pointers_to(operands)).mesh;
 }
@@ -317,27 +285,6 @@ TEST_CASE("solids that touch share vertices and edges of the model", "[brep]") {
   CHECK(counts_of(touching.brep) == Counts{1, 0, 2, 2});
   CHECK(touching.brep.loops.size() == 2);
   CHECK(touching.brep.uses_of_loop.items.empty());
-}
-
-TEST_CASE("a Brep has several meshes, before and after refinement, with the same entities (Fig. 4)", "[brep][paper]") {
-  const SurfaceMesh coarse =
-      result_of(Operation::Union, {make_cylinder(1, 4, 24), transform(make_cylinder(0.6, 4, 24), rotation(Axis::X, 90))});
-  const SurfaceMesh fine = halved(coarse);
-  const ClassifiedBrep before = build_brep(coarse), after{before.brep, refined(before.classification, coarse)};
-  CHECK(find_faults(fine, after) == std::vector<std::string>());
-  CHECK(mesh_edges_on_edges(after) == 2 * mesh_edges_on_edges(before));
-  const ModelView coarse_view = view_of(coarse, before), fine_view = view_of(fine, after);
-  for (const EntityDimension dimension : {EntityDimension::Edge, EntityDimension::Face}) {
-    for (std::uint32_t i = 0; i < entity_count(before.brep, dimension); ++i) {
-      const ModelEntity entity{dimension, i};
-      CHECK(measure(fine_view, entity) == Approx(measure(coarse_view, entity)).epsilon(1e-12));
-      CHECK(bounding_box(fine_view, entity).lo == bounding_box(coarse_view, entity).lo);
-      const MeshEntities few = mesh_on(coarse_view, entity, Extent::Closure), many = mesh_on(fine_view, entity, Extent::Closure);
-      CHECK(many.triangles.size() == 4 * few.triangles.size());
-      CHECK(many.vertices.size() == few.vertices.size() + few.edges.size());
-    }
-  }
-  CHECK(measure(fine_view, {EntityDimension::Region, 1}) == Approx(measure(coarse_view, {EntityDimension::Region, 1})).epsilon(1e-12));
 }
 
 TEST_CASE("labels, user edges and weak creases part faces", "[brep]") {
