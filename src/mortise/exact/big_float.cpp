@@ -4,7 +4,10 @@
 #include "mortise/exact/big_float.h"
 
 #include <algorithm>
+#include <array>
+#include <span>
 #include <utility>
+#include <vector>
 
 #include "mortise/base/bits.h"
 #include "mortise/exact/double_double.h"
@@ -42,8 +45,60 @@ void subtract_limbs(std::uint32_t* a, const std::uint32_t* b, std::size_t n) {
   }
 }
 
-/// Sums of doubles far apart are mostly zeros.
-std::size_t count_nonzero(const LimbArray& a) { return a.size() - static_cast<std::size_t>(std::count(a.begin(), a.end(), 0U)); }
+/// A digit between -2^31 and 2^31 and its place.
+struct SignedDigit {
+  std::int64_t value;
+  std::size_t place;
+};
+
+/// The digits that are not zero when they may be negative. Sums and differences of doubles far apart have few: what lies between the doubles
+/// are digits 0, or 2^32 - 1 where one was subtracted. Up to a number of them; then the answer is that there are more.
+class SparseDigits {
+ public:
+  static constexpr std::size_t most = 48;
+
+  explicit SparseDigits(const LimbArray& limbs) {
+    std::int64_t carry = 0;
+    const std::uint32_t* digits = limbs.begin();
+    for (std::size_t i = 0; i <= limbs.size(); ++i) {
+      const std::int64_t digit = carry + (i < limbs.size() ? std::int64_t{digits[i]} : 0);
+      carry = digit > 0x7fffffff ? 1 : 0;
+      const std::int64_t value = digit - carry * 0x100000000;
+      if (value == 0) continue;
+      if (count_ == most) {
+        has_more_ = true;
+        return;
+      }
+      digits_[count_++] = {value, i};
+    }
+  }
+
+  [[nodiscard]] bool has_more() const { return has_more_; }
+  [[nodiscard]] std::span<const SignedDigit> all() const { return {digits_.data(), count_}; }
+
+ private:
+  std::array<SignedDigit, most> digits_;
+  std::size_t count_ = 0;
+  bool has_more_ = false;
+};
+
+/// Fills n digits with the product, which is positive and fits.
+void multiply_sparse(const SparseDigits& a, const SparseDigits& b, std::uint32_t* product, std::size_t n) {
+  std::vector<std::int64_t> columns(n + 2, 0);
+  for (const SignedDigit& d : a.all()) {
+    for (const SignedDigit& e : b.all()) {
+      const std::int64_t value = d.value * e.value;
+      columns[d.place + e.place] += value & 0xffffffff;
+      columns[d.place + e.place + 1] += value >> 32;
+    }
+  }
+  std::int64_t carry = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    carry += columns[i];
+    product[i] = static_cast<std::uint32_t>(carry);
+    carry >>= 32;
+  }
+}
 
 /// Adds factor * b to the digits from `a` on; the one after the last of b is still zero.
 void add_product(std::uint32_t* a, std::uint32_t factor, const LimbArray& b) {
@@ -154,14 +209,21 @@ BigFloat BigFloat::sum(const BigFloat& a, const BigFloat& b, int sign_of_b) {
 
 BigFloat operator*(const BigFloat& a, const BigFloat& b) {
   if (a.sign_ == 0 || b.sign_ == 0) return BigFloat();
-  BigFloat result(a.sign_ * b.sign_, a.exponent_ + b.exponent_, std::size_t{a.limbs_.size()} + b.limbs_.size());
-  const bool is_a_sparser = count_nonzero(a.limbs_) <= count_nonzero(b.limbs_);
-  const LimbArray& sparse = is_a_sparser ? a.limbs_ : b.limbs_;
-  const LimbArray& dense = is_a_sparser ? b.limbs_ : a.limbs_;
+  const LimbArray &x = a.limbs_.size() < b.limbs_.size() ? a.limbs_ : b.limbs_, &y = &x == &a.limbs_ ? b.limbs_ : a.limbs_;
+  BigFloat result(a.sign_ * b.sign_, a.exponent_ + b.exponent_, std::size_t{x.size()} + y.size());
   std::uint32_t* limbs = result.limbs_.begin();
+  constexpr std::size_t long_enough = 8;  // for gaps
+  if (y.size() >= long_enough) {
+    const SparseDigits few(x), others(y);
+    if (!few.has_more() && !others.has_more() && 3 * few.all().size() * others.all().size() < std::size_t{x.size()} * y.size()) {
+      multiply_sparse(few, others, limbs, result.limbs_.size());
+      result.trim();
+      return result;
+    }
+  }
   std::fill_n(limbs, result.limbs_.size(), 0U);
-  for (const std::uint32_t limb : sparse) {
-    if (limb != 0) add_product(limbs, limb, dense);
+  for (const std::uint32_t limb : x) {
+    if (limb != 0) add_product(limbs, limb, y);
     ++limbs;
   }
   result.trim();
