@@ -10,7 +10,8 @@ set(mortise_light_sources
     boolean/join_coincident boolean/keep_faces boolean/keep_triangles boolean/merge_close_vertices boolean/moved_shells boolean/operation
     boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/share_within_tolerance boolean/simplify
     boolean/shared_edges boolean/stacked_triangles boolean/swap_slivers boolean/triangulate_shared_faces
-    brep/build_brep brep/model_queries brep/seams brep/trace_edges brep/validate_brep
+    brep/assemble_brep brep/attributes brep/build_brep brep/divide_mesh brep/lineage brep/model_mesh brep/model_queries brep/named_model brep/seams
+    brep/trace_edges brep/validate_brep
     io/abaqus io/cell_grid io/entity_mesh io/entity_mesh_builder io/fitted_number io/formats io/glb io/gmsh_script io/medit io/msh io/msh22 io/msh41
     io/nastran io/obj_data io/off io/ply_data io/ply_header io/vtk io/vtu io/xml
     mesh/corners_to_vertices mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/find_shells mesh/group_by_label mesh/half_space

@@ -127,3 +127,11 @@ TEST_CASE("areas in common add up to those of the result's faces, for random sol
     }
   }
 }
+
+TEST_CASE("a void of a result comes from nothing, though operands filled it", "[brep][lineage]") {
+  const ResultModel m(Operation::Subtract, {box({0, 0, 0}, {4, 4, 4}), box({1, 1, 1}, {2, 2, 2})});
+  REQUIRE(m.model.brep.region_count == 3);
+  CHECK(m.lineage.sources_of({region, 1}).size() == 1);
+  CHECK(m.lineage.sources_of({region, 2}).empty());
+  CHECK(m.lineage.results_of({1, {region, 1}}).empty());
+}

@@ -40,6 +40,10 @@ std::vector<ModelEdgeId> edges_of_half_edges(const ModelView& view) {
   return edges;
 }
 
+// Functions, not lambdas: one instance of the sort for both.
+bool is_before_by_result(const LineageLink& a, const LineageLink& b) { return std::tie(a.result, a.source) < std::tie(b.result, b.source); }
+bool is_before_by_source(const LineageLink& a, const LineageLink& b) { return std::tie(a.source, a.result) < std::tie(b.source, b.result); }
+
 class LineageTracer {
  public:
   LineageTracer(const ModelView& result, const Provenance& provenance, std::span<const ModelView> operands)
@@ -238,19 +242,17 @@ class LineageTracer {
 
   // Links between the same two become one, measures added in the order they were found.
   [[nodiscard]] Lineage summed_links() {
-    const auto key = [](const LineageLink& l) { return std::tuple(l.result, l.source); };
-    std::stable_sort(links_.begin(), links_.end(), [&](const LineageLink& a, const LineageLink& b) { return key(a) < key(b); });
+    std::stable_sort(links_.begin(), links_.end(), is_before_by_result);
     Lineage lineage;
     for (const LineageLink& l : links_) {
-      if (lineage.by_result.empty() || key(lineage.by_result.back()) != key(l)) {
+      if (lineage.by_result.empty() || is_before_by_result(lineage.by_result.back(), l)) {
         lineage.by_result.push_back(l);
       } else if (l.result.dimension == EntityDimension::Face || l.result.dimension == EntityDimension::Edge) {
         lineage.by_result.back().measure += l.measure;
       }
     }
     lineage.by_source = lineage.by_result;
-    std::sort(lineage.by_source.begin(), lineage.by_source.end(),
-              [](const LineageLink& a, const LineageLink& b) { return std::tuple(a.source, a.result) < std::tuple(b.source, b.result); });
+    std::stable_sort(lineage.by_source.begin(), lineage.by_source.end(), is_before_by_source);
     return lineage;
   }
 

@@ -118,9 +118,17 @@ class ModelMesh {
       for (std::uint32_t id = 0; id < places.size(); ++id) {
         if (places[id] == none || !entities(d)[places[id]].names.empty()) continue;
         const std::int32_t tag = entities(d)[places[id]].tag;
-        add_name({d, id}, (d == EntityDimension::Face ? "face " : "region ") + std::to_string(tag));
+        add_name({d, id}, free_name(d, (d == EntityDimension::Face ? "face " : "region ") + std::to_string(tag)));
       }
     }
+  }
+
+  // What was read from a file may have such names already.
+  [[nodiscard]] std::string free_name(EntityDimension d, const std::string& name) const {
+    const auto is_taken = [&](const std::string& text) { return name_numbers_.count({static_cast<std::uint8_t>(d), text}) != 0; };
+    std::string free = name;
+    for (std::size_t k = 2; is_taken(free); ++k) free = name + "_" + std::to_string(k);
+    return free;
   }
 
   const ModelView& view_;

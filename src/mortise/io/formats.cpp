@@ -103,8 +103,6 @@ bool find_analysis_format(std::string_view bytes, Format& format) {
   return true;
 }
 
-bool is_of_analysis(Format format) { return format >= Format::Msh41; }
-
 /// Reads a file of an analysis program.
 EntityMesh read_analysis_mesh(std::string_view bytes, Format format) {
   switch (format) {
@@ -134,6 +132,8 @@ std::string join_names() {
 std::string_view format_name(Format format) { return all_formats[static_cast<std::size_t>(format)].name; }
 
 bool is_readable_format(Format format) { return format != Format::Glb && format != Format::Abaqus && format != Format::Nastran; }
+
+bool is_analysis_format(Format format) { return format >= Format::Msh41; }
 
 Format format_from_name(std::string_view name) {
   for (const NamedFormat& known : all_formats) {
@@ -209,7 +209,7 @@ std::string write_mesh(const SurfaceMesh& mesh, Format format) {
 
 EntityMesh read_entity_mesh(std::string_view bytes, std::string_view name) {
   const Format format = detect_format(name, bytes);
-  return is_of_analysis(format) ? read_analysis_mesh(bytes, format) : entity_mesh_of(read_mesh(bytes, name));
+  return is_analysis_format(format) ? read_analysis_mesh(bytes, format) : entity_mesh_of(read_mesh(bytes, name));
 }
 
 std::string write_entity_mesh(const EntityMesh& mesh, Format format) {

@@ -42,6 +42,9 @@ enum class Format : unsigned char {
 /// Can files of the format be read? All but glb, inp and bdf, which are written only.
 [[nodiscard]] bool is_readable_format(Format format);
 
+/// Is it a format of analysis programs, which keep entities of models and groups? msh, msh22, vtk, vtu, mesh, inp and bdf.
+[[nodiscard]] bool is_analysis_format(Format format);
+
 /// The format of a file that can be read: by its content where that is certain, else by the extension of its name (which may be empty),
 /// else by the first word of an OBJ statement.
 /// @throws Error{UnknownFormat}

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "mortise/io/msh.h"
+#include "mortise/io/text.h"
 
 namespace mortise {
 namespace {
@@ -48,7 +49,7 @@ std::string group_statement(const EntityMesh& mesh, std::uint32_t name) {
     regions.append(regions.empty() ? "" : ", ").append(std::to_string(region.tag));
   }
   const PhysicalName& group = mesh.names[name];
-  return "Physical Volume(" + quoted(spoken_name(group)) + ", " + std::to_string(group.tag) + ") = {" + regions + "};\n";
+  return "Physical Volume(" + quoted(one_line_name(spoken_name(group))) + ", " + std::to_string(group.tag) + ") = {" + regions + "};\n";
 }
 
 }  // namespace
