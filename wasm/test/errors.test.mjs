@@ -205,7 +205,7 @@ const provocations = [
 ];
 
 test('the documentation has the codes of the declarations', () => {
-  const declarations = readFileSync(new URL('../src/index.d.ts', import.meta.url), 'utf8');
+  const declarations = readFileSync(new URL('../src/types/errors.d.ts', import.meta.url), 'utf8');
   const [, codes] = declarations.match(/export type MeshErrorCode =([^;]*);/);
   assert.deepEqual([...documented().keys()], [...codes.matchAll(/'(\w+)'/g)].map(([, code]) => code));
 });
