@@ -39,11 +39,7 @@ std::vector<Triangle> triangles_in_order(std::size_t point_count) {
 }
 
 std::vector<std::uint8_t> bytes_of_faces(const val& array) {
-  std::vector<std::uint8_t> bytes;
-  if (array.isUndefined()) return bytes;
-  bytes.resize(length_of(array));
-  copy_in<std::uint8_t>(array, bytes);
-  return bytes;
+  return array.isUndefined() ? std::vector<std::uint8_t>() : numbers_in<std::uint8_t>(array);
 }
 
 DataKind kind_from(const std::string& name) {
@@ -57,9 +53,7 @@ std::vector<DataChannel> channels_in(const val& array) {
     const val object = array[i];
     DataChannel channel{
         object["name"].as<std::string>(), object["components"].as<std::uint32_t>(), kind_from(object["kind"].as<std::string>()), {}};
-    const val values = object["values"];
-    channel.values.resize(length_of(values));
-    copy_in<double>(values, channel.values);
+    channel.values = numbers_in<double>(object["values"]);
     channels.push_back(std::move(channel));
   }
   return channels;
@@ -80,9 +74,7 @@ void set_channels(val& mesh, const char* key, const std::vector<DataChannel>& ch
 
 SurfaceMesh unchecked_mesh_in(const val& object) {
   SurfaceMesh mesh;
-  const val positions = object["positions"];
-  mesh.points.resize(length_of(positions) / 3);
-  copy_in<double>(positions, {reinterpret_cast<double*>(mesh.points.data()), 3 * mesh.points.size()});
+  mesh.points = points_in(object["positions"]);
   const val triangles = object["triangles"];
   mesh.triangles = triangles.isUndefined() ? triangles_in_order(mesh.points.size()) : triangles_in(triangles);
   mesh.walls = bytes_of_faces(object["walls"]);
@@ -91,8 +83,7 @@ SurfaceMesh unchecked_mesh_in(const val& object) {
   mesh.corner_data = channels_in(object["cornerData"]);
   const val labels = object["faceLabels"];
   if (labels.isUndefined()) return mesh;
-  mesh.face_labels.resize(length_of(labels));
-  copy_in<std::uint32_t>(labels, mesh.face_labels);
+  mesh.face_labels = numbers_in<std::uint32_t>(labels);
   mesh.label_names = strings_in(object["labelNames"]);
   return mesh;
 }
@@ -103,6 +94,12 @@ std::vector<std::string> strings_in(const val& array) {
   std::vector<std::string> strings(length_of(array));
   for (std::size_t i = 0; i < strings.size(); ++i) strings[i] = array[i].as<std::string>();
   return strings;
+}
+
+std::vector<Vec3d> points_in(const val& array) {
+  std::vector<Vec3d> points(length_of(array) / 3);
+  copy_in<double>(array, {reinterpret_cast<double*>(points.data()), 3 * points.size()});
+  return points;
 }
 
 val points_out(const std::vector<Vec3d>& points) { return copy_out(numbers_of(points)); }

@@ -34,8 +34,30 @@ void copy_in(const emscripten::val& array, std::span<T> numbers) {
   emscripten::val(emscripten::typed_memory_view(numbers.size(), numbers.data())).template call<void>("set", array);
 }
 
+/// A Uint32Array of a number per item.
+template <class Items, class NumberOf>
+[[nodiscard]] emscripten::val numbers_out(const Items& items, NumberOf number_of) {
+  std::vector<std::uint32_t> numbers;
+  for (const auto& item : items) numbers.push_back(static_cast<std::uint32_t>(number_of(item)));
+  return copy_out(numbers);
+}
+
+template <class Ids>
+[[nodiscard]] emscripten::val ids_out(const Ids& ids) {
+  return numbers_out(ids, [](const auto& id) { return id.value; });
+}
+
+/// The numbers of a typed array.
+template <class T>
+[[nodiscard]] std::vector<T> numbers_in(const emscripten::val& array) {
+  std::vector<T> numbers(array["length"].as<std::size_t>());
+  copy_in<T>(array, numbers);
+  return numbers;
+}
+
 /// Three numbers per point.
 [[nodiscard]] emscripten::val points_out(const std::vector<Vec3d>& points);
+[[nodiscard]] std::vector<Vec3d> points_in(const emscripten::val& array);
 
 /// Two numbers per pair.
 [[nodiscard]] emscripten::val pairs_out(const std::vector<std::array<std::uint32_t, 2>>& pairs);

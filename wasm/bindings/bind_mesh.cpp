@@ -21,11 +21,7 @@ namespace {
 using emscripten::val;
 
 val make(const std::string& name, const val& numbers) {
-  return answer([&] {
-    std::vector<double> parameters(numbers["length"].as<std::size_t>());
-    copy_in<double>(numbers, parameters);
-    return mesh_out(make_shape(name, parameters));
-  });
+  return answer([&] { return mesh_out(make_shape(name, numbers_in<double>(numbers))); });
 }
 
 val transform_mesh(const val& mesh, const val& steps) {

@@ -22,13 +22,6 @@ namespace {
 
 using emscripten::val;
 
-template <class Tag>
-val ids_out(const std::vector<Id<Tag>>& ids) {
-  std::vector<std::uint32_t> numbers;
-  for (const Id<Tag> id : ids) numbers.push_back(id.value);
-  return copy_out(numbers);
-}
-
 val part_out(const MeshPart& part) {
   val object = mesh_out(part.mesh);
   object.set("sourceFace", ids_out(part.source_face));

@@ -4,11 +4,12 @@
 // @ts-check
 
 import { coreLoader } from './core.js';
-import { createSyncApi, isBlob } from './sync_api.js';
+import { isBlob } from './mesh_files.js';
+import { createSyncApi } from './sync_api.js';
 
 /**
  * @param {(url: string | URL | undefined) => Promise<WebAssembly.Module>} compileFrom
- * @param {import('./sync_api.js').Host} host
+ * @param {import('./mesh_files.js').Host} host
  */
 export function createAsyncApi(compileFrom, host) {
   const loader = coreLoader(compileFrom);
@@ -30,13 +31,17 @@ export function createAsyncApi(compileFrom, host) {
    */
   const later = (name) => async (/** @type {any[]} */ ...args) => /** @type {any} */ ((await load())[name])(...args);
 
-  /** @type {typeof import('./index.js').readMesh} */
-  async function readMesh(source, options) {
+  /**
+   * The same for functions that read: bytes of a Blob have to be waited for.
+   * @param {'readMesh' | 'readModel'} name
+   * @returns {any}
+   */
+  const reader = (name) => async (/** @type {any} */ source, /** @type {any} */ options) => {
     const api = await load();
-    if (!isBlob(source)) return api.readMesh(source, options);
+    if (!isBlob(source)) return api[name](source, options);
     const bytes = new Uint8Array(await source.arrayBuffer());
-    return api.readMesh(bytes, { ...(source instanceof File ? { name: source.name } : {}), ...options });
-  }
+    return api[name](bytes, { ...(source instanceof File ? { name: source.name } : {}), ...options });
+  };
 
   return {
     /** @type {typeof import('./index.js').union} */
@@ -79,6 +84,14 @@ export function createAsyncApi(compileFrom, host) {
     extrudeTo: later('extrudeTo'),
     /** @type {typeof import('./index.js').model} */
     model: later('model'),
+    /** @type {typeof import('./index.js').resultModel} */
+    resultModel: later('resultModel'),
+    /** @type {typeof import('./index.js').readModel} */
+    readModel: reader('readModel'),
+    /** @type {typeof import('./index.js').writeModel} */
+    writeModel: later('writeModel'),
+    /** @type {typeof import('./index.js').gmshProject} */
+    gmshProject: later('gmshProject'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
     /** @type {typeof import('./index.js').cornersToVertices} */
@@ -87,7 +100,8 @@ export function createAsyncApi(compileFrom, host) {
     groupByLabel: later('groupByLabel'),
     /** @type {typeof import('./index.js').writeMesh} */
     writeMesh: later('writeMesh'),
-    readMesh,
+    /** @type {typeof import('./index.js').readMesh} */
+    readMesh: reader('readMesh'),
     load,
   };
 }

@@ -28,9 +28,9 @@ function refusePath() {
   throw invalidArgument('there are no file names in a browser: pass bytes (Uint8Array, ArrayBuffer) or a Blob, and take bytes from writeMesh(mesh, {format})');
 }
 
-/** @type {import('./sync_api.js').Host} */
+/** @type {import('./mesh_files.js').Host} */
 const host = { readFile: refusePath, writeFile: refusePath };
 
-export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
+export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
   createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

@@ -17,3 +17,9 @@ export const writtenOnly = ['glb', 'inp', 'bdf'];
  * @type {import('./index.js').Format[]}
  */
 export const formats = [...readableFormats, ...writtenOnly];
+
+/**
+ * Those of analysis programs, which keep entities of models and named groups.
+ * @type {import('./index.js').ModelFormat[]}
+ */
+export const modelFormats = ['msh', 'msh22', 'vtk', 'vtu', 'mesh', 'inp', 'bdf'];

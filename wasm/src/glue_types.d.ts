@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the bindings export; the glue the compiler writes carries no types.
 
-import type { BooleanResult, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
+import type { BooleanResult, GmshProject, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
 import type { ModelTables, PinchFreeMesh, Provenance, RepairedMesh, Report, Section, VertexMesh } from './index.js';
 
 /** One of the two. */
@@ -67,7 +67,11 @@ export interface Core {
   cornersToVertices(mesh: CheckedMesh, missing: number): Answer<VertexMesh>;
   groupByLabel(mesh: CheckedMesh): Answer<GroupedMesh>;
   sliceMesh(mesh: CheckedMesh, plane: Float64Array): Answer<Section>;
-  modelOf(mesh: CheckedMesh, settings: ModelSettings): Answer<ModelTables>;
+  modelOf(mesh: CheckedMesh, settings: ModelSettings): Answer<BuiltModel>;
+  readModel(bytes: Uint8Array, name: string, settings: ModelSettings): Answer<BuiltModel & { mesh: Mesh; attributes: FlatAttribute[] }>;
+  resultModel(result: { mesh: CheckedMesh; provenance: Provenance }, operands: CheckedModelOperand[], settings: ModelSettings & ResultSettings): Answer<BuiltResultModel>;
+  writeModel(model: CheckedModel, attributes: FlatAttribute[], format: string): Answer<Uint8Array>;
+  gmshProject(model: CheckedModel, attributes: FlatAttribute[], meshFile: string): Answer<GmshProject>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -83,7 +87,55 @@ export interface ModelSettings {
   splitAtLabels: boolean;
   userEdges: Uint32Array;
   seams: 'none' | 'annulus' | 'disc';
-  sources: { provenance: Provenance; operands: CheckedMesh[] } | undefined;
+  sources?: { provenance: Provenance; operands: CheckedMesh[] };
+  /** Per triangle, and for facets of results only. */
+  groups?: Uint32Array;
+  normals?: Float64Array;
+  planes?: Uint32Array;
+}
+
+/** What `resultModel` is told beside. */
+export interface ResultSettings {
+  splitAtAttributes: boolean;
+  names: string[];
+}
+
+/** What a model is built from. The core keeps none: it builds it again. */
+export interface CheckedModel {
+  mesh: CheckedMesh;
+  settings: ModelSettings;
+}
+
+export type CheckedModelOperand = (CheckedModel & { attributes: FlatAttribute[]; carried: boolean; plane?: undefined }) | { plane: Float64Array };
+
+/** `recipe` is what to build it again with, beside the settings it was built with. */
+export interface BuiltModel {
+  tables: ModelTables;
+  recipe: Partial<ModelSettings>;
+}
+
+export interface BuiltResultModel extends BuiltModel {
+  attributes: FlatAttribute[];
+  interfaces: FlatAttribute[];
+  lineage: Links;
+}
+
+/** An attribute as it crosses the border: JSON; numbers of kind and policies on split, merge and deletion; dimension and number of each target. */
+export interface FlatAttribute {
+  name: string;
+  value: string;
+  pieceName: string;
+  codes: Uint32Array;
+  targets: Uint32Array;
+}
+
+/** Links between entities of a result and of operands, by result. */
+export interface Links {
+  dimension: Uint32Array;
+  result: Uint32Array;
+  operand: Uint32Array;
+  source: Uint32Array;
+  measure: Float64Array;
 }
 
 export type CreateGlue = (options: {

@@ -8,9 +8,11 @@ import { invalidArgument } from './errors.js';
 
 /** @typedef {import('./glue_types.js').Core} Core */
 
+/** @typedef {import('./glue_types.js').CheckedOperand} CheckedOperand */
+
 /**
- * Calls the core with meshes its errors may be about.
- * @typedef {<Value>(call: (core: Core) => import('./glue_types.js').Answer<Value>, meshes: import('./glue_types.js').CheckedMesh[]) => Value} Ask
+ * Calls the core with the operands its errors may be about, and what they are about when they name none; default: the first.
+ * @typedef {<Value>(call: (core: Core) => import('./glue_types.js').Answer<Value>, meshes?: CheckedOperand[], whole?: CheckedOperand) => Value} Ask
  */
 
 const waysToSplit = ['components', 'regions'];

@@ -1,18 +1,20 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// A model: tables of entities from the core, read a row at a time.
+// A model: tables of entities from the core, read a row at a time, and attributes on them.
 // @ts-check
 
 import { checkMesh, checkOptions, describe } from './arguments.js';
+import { entityCounts, flatAttributes, measuresOf } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import { isNumberArray } from './values.js';
 
 /** @typedef {import('./index.js').ModelTables} Tables */
+/** @typedef {import('./index.js').MeshInput} MeshInput */
 
 /** @type {Record<number, 'vertex' | 'edge' | 'face' | 'none'>} by the number the core has for them */
-const dimensions = { 0: 'vertex', 1: 'edge', 2: 'face', 4: 'none' };
+const dimensionNames = { 0: 'vertex', 1: 'edge', 2: 'face', 4: 'none' };
 const seamModes = ['none', 'annulus', 'disc'];
-const optionNames = ['faceAngle', 'weakAngle', 'edgeAngle', 'leastDangling', 'splitAtLabels', 'userEdges', 'seams', 'sources'];
+export const modelOptions = ['faceAngle', 'weakAngle', 'edgeAngle', 'leastDangling', 'splitAtLabels', 'userEdges', 'seams', 'sources'];
 
 /**
  * The numbers from begin[i] up to begin[i + 1].
@@ -23,16 +25,43 @@ function rangeOf(begin, i) {
   return Array.from({ length: begin[i + 1] - begin[i] }, (_, k) => begin[i] + k);
 }
 
+/**
+ * What a model is made of.
+ * @template {MeshInput} Given
+ * @typedef {object} Parts
+ * @property {Given} mesh
+ * @property {Tables} tables
+ * @property {import('./glue_types.js').ModelSettings} settings to build it again with
+ * @property {import('./index.js').Attribute[]} attributes
+ */
+
+/** @template {MeshInput} Given */
 export class Model {
   #tables;
+  #settings;
   /** @type {Uint32Array | undefined} triangles by face */
   #sorted;
   /** @type {Uint32Array | undefined} */
   #begin;
 
-  /** @param {Tables} tables */
-  constructor(tables) {
+  /** @param {Parts<Given>} parts */
+  constructor({ mesh, tables, settings, attributes }) {
     this.#tables = tables;
+    this.#settings = settings;
+    this.mesh = mesh;
+    this.attributes = attributes;
+  }
+
+  /**
+   * What crosses into the core.
+   * @param {string} name how the caller knows it: "model", "operands[0]"
+   */
+  checked(name) {
+    return { mesh: checkMesh(this.mesh, `${name}.mesh`), settings: this.#settings, attributes: this.#checkedAttributes(`${name}.attributes`) };
+  }
+
+  measures() {
+    return measuresOf(this.#checkedAttributes('attributes'), this.#tables);
   }
 
   get counts() {
@@ -106,7 +135,12 @@ export class Model {
   entityOf(meshVertex) {
     const t = this.#tables;
     this.#require('mesh vertex', meshVertex, t.vertexEntity.length);
-    return { dimension: dimensions[t.vertexDimension[meshVertex]], id: t.vertexEntity[meshVertex] };
+    return { dimension: dimensionNames[t.vertexDimension[meshVertex]], id: t.vertexEntity[meshVertex] };
+  }
+
+  /** @param {string} name */
+  #checkedAttributes(name) {
+    return flatAttributes(this.attributes, entityCounts(this.#tables), name);
   }
 
   #sortTriangles() {
@@ -144,22 +178,38 @@ function checkUserEdges(edges) {
   return Uint32Array.from(flat);
 }
 
-/** @param {any} sources */
-function checkSources(sources) {
-  if (sources === undefined) return undefined;
+/**
+ * Where each triangle of a result comes from. The core checks the numbers.
+ * @param {any} provenance
+ * @param {number} triangles
+ * @param {string} name
+ * @returns {import('./index.js').Provenance}
+ */
+export function checkProvenance(provenance, triangles, name) {
+  const arrays = [provenance?.sourceOperand, provenance?.sourceFace, provenance?.flipped];
+  if (!arrays.every((array) => array instanceof Uint32Array || array instanceof Uint8Array)) throw invalidArgument(`${name} must be the provenance of a result, not ${describe(provenance)}`);
+  if (arrays.some(({ length }) => length !== triangles)) throw invalidArgument(`${name} is about ${arrays[0].length} triangles, but there are ${triangles}`);
+  return provenance;
+}
+
+/**
+ * @param {any} sources
+ * @param {number} triangles
+ */
+function checkSources(sources, triangles) {
   const { provenance, operands } = checkOptions(sources, ['provenance', 'operands']);
-  if (!(provenance?.sourceOperand instanceof Uint32Array) || !Array.isArray(operands)) {
-    throw invalidArgument('sources must be {provenance, operands}: of a result, and the meshes it was made from');
-  }
-  return { provenance, operands: operands.map((/** @type {any} */ mesh, /** @type {number} */ k) => checkMesh(mesh, `sources.operands[${k}]`)) };
+  if (!Array.isArray(operands)) throw invalidArgument('sources must be {provenance, operands}: of a result, and the meshes it was made from');
+  const meshes = operands.map((/** @type {any} */ mesh, /** @type {number} */ k) => checkMesh(mesh, `sources.operands[${k}]`));
+  return { provenance: checkProvenance(provenance, triangles, 'sources.provenance'), operands: meshes };
 }
 
 /**
  * @param {any} options
+ * @param {number} [triangles] of the mesh, where options may have sources
  * @returns {import('./glue_types.js').ModelSettings}
  */
-export function checkModelOptions(options) {
-  const checked = checkOptions(options, optionNames);
+export function checkModelOptions(options, triangles) {
+  const checked = checkOptions(options, triangles === undefined ? modelOptions.slice(0, -1) : modelOptions);
   for (const name of ['faceAngle', 'weakAngle', 'edgeAngle', 'leastDangling']) {
     if (checked[name] !== undefined && typeof checked[name] !== 'number') throw invalidArgument(`${name} must be a number, not ${describe(checked[name])}`);
   }
@@ -169,5 +219,6 @@ export function checkModelOptions(options) {
   if (!Number.isInteger(leastDangling) || leastDangling < 0 || leastDangling > 0xffffffff) {
     throw invalidArgument(`leastDangling must be a number of edges, not ${describe(leastDangling)}`);
   }
-  return { faceAngle, weakAngle, edgeAngle, leastDangling, splitAtLabels, userEdges: checkUserEdges(userEdges), seams, sources: checkSources(sources) };
+  const settings = { faceAngle, weakAngle, edgeAngle, leastDangling, splitAtLabels, userEdges: checkUserEdges(userEdges), seams };
+  return sources === undefined || triangles === undefined ? settings : { ...settings, sources: checkSources(sources, triangles) };
 }

@@ -13,9 +13,9 @@ async function compileFrom(wasmUrl) {
   return WebAssembly.compile(await readFile(wasmUrl ?? new URL('../dist/core.wasm', import.meta.url)));
 }
 
-/** @type {import('./sync_api.js').Host} */
+/** @type {import('./mesh_files.js').Host} */
 const host = { readFile: readBytes, writeFile: writeBytes };
 
-export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
+export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
   createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

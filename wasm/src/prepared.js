@@ -58,7 +58,7 @@ export class PreparedOperand {
 }
 
 /** A prepared operand, moved. */
-class PlacedOperand {
+export class PlacedOperand {
   /**
    * @param {PreparedOperand} prepared
    * @param {import('./glue_types.js').FlatStep[]} steps

@@ -21,9 +21,9 @@ import {
   splitOperands,
 } from './arguments.js';
 import { MeshError, invalidArgument } from './errors.js';
-import { formats, readableFormats } from './formats.js';
+import { fileFunctions } from './mesh_files.js';
 import { meshOperations } from './mesh_operations.js';
-import { Model, checkModelOptions } from './model.js';
+import { modelFunctions } from './model_functions.js';
 import { placesOf } from './places.js';
 import { PreparedOperand, checkPrepared } from './prepared.js';
 import { checkShape } from './shapes.js';
@@ -38,24 +38,20 @@ import { checkSteps } from './steps.js';
  * @typedef {import('./glue_types.js').Answer<Value>} Answer
  */
 
-/**
- * What differs between Node and browsers.
- * @typedef {object} Host
- * @property {(path: string | URL) => Uint8Array} readFile
- * @property {(path: string | URL, bytes: Uint8Array) => void} writeFile
- */
+/** @typedef {import('./mesh_files.js').Host} Host */
 
 /**
  * The value of a core's answer, or its error with the places it names.
  * @template Value
  * @param {Answer<Value>} answer
  * @param {CheckedOperand[]} meshes the operands its ids are about
+ * @param {CheckedOperand} [whole] what they are about when the error names no operand; default: the first
  * @returns {Value}
  */
-function valueOf({ value, error }, meshes) {
+function valueOf({ value, error }, meshes, whole = meshes[0]) {
   if (error === undefined) return /** @type {Value} */ (value);
   const { code, message, details } = error;
-  const places = placesOf(meshes[details.operand ?? 0], details);
+  const places = placesOf(details.operand === undefined ? whole : meshes[details.operand], details);
   throw new MeshError(code, message, places === undefined ? details : { ...details, places });
 }
 
@@ -63,7 +59,6 @@ function valueOf({ value, error }, meshes) {
  * A core with what belongs to it.
  * @typedef {object} Session
  * @property {Core} core
- * @property {Host} host
  * @property {() => void} onStop called when the core stops for good
  * @property {boolean} stopped
  */
@@ -74,9 +69,10 @@ function valueOf({ value, error }, meshes) {
  * @param {Session} session
  * @param {(core: Core) => Answer<Value>} call
  * @param {CheckedOperand[]} [meshes]
+ * @param {CheckedOperand} [whole]
  * @returns {Value}
  */
-function ask(session, call, meshes = []) {
+function ask(session, call, meshes = [], whole) {
   if (session.stopped) throw new MeshError('INTERNAL_ERROR', 'the core stopped in an earlier call: load() gives a new one');
   let answer;
   try {
@@ -88,40 +84,7 @@ function ask(session, call, meshes = []) {
     const text = /** @type {Error} */ (cause)?.message ?? String(cause);
     throw new MeshError(outOfMemory ? 'OUT_OF_MEMORY' : 'INTERNAL_ERROR', `the core stopped: ${text}`, {}, { cause });
   }
-  return valueOf(answer, meshes);
-}
-
-/** Is this a Blob or a File? @param {unknown} source @returns {source is Blob} */
-export function isBlob(source) {
-  return typeof Blob !== 'undefined' && source instanceof Blob;
-}
-
-/** @param {unknown} value @returns {value is string | URL} */
-function isPath(value) {
-  return typeof value === 'string' || value instanceof URL;
-}
-
-/** @param {string | URL} path */
-function nameOf(path) {
-  return path instanceof URL ? decodeURIComponent(path.pathname) : path;
-}
-
-/**
- * @param {any} format
- * @param {string[]} known
- */
-function checkFormat(format, known) {
-  if (format !== undefined && !known.includes(format)) throw new MeshError('UNKNOWN_FORMAT', `the formats are ${known.join(', ')}, not ${describe(format)}`);
-  return format;
-}
-
-/** @param {unknown} source */
-function checkBytes(source) {
-  if (source instanceof Uint8Array) return source;
-  if (source instanceof ArrayBuffer) return new Uint8Array(source);
-  if (ArrayBuffer.isView(source)) return new Uint8Array(source.buffer, source.byteOffset, source.byteLength);
-  if (isBlob(source)) throw invalidArgument('a Blob is read by the asynchronous readMesh only');
-  throw invalidArgument(`readMesh takes a file name, a Uint8Array, an ArrayBuffer or a Blob, not ${describe(source)}`);
+  return valueOf(answer, meshes, whole);
 }
 
 /**
@@ -250,37 +213,6 @@ function inspectMesh(session, mesh) {
 }
 
 /**
- * @param {Session} session
- * @param {string | URL | Uint8Array | ArrayBuffer | Blob} source
- * @param {import('./index.js').ReadOptions} [options]
- * @returns {import('./index.js').Mesh}
- */
-function readMesh(session, source, options) {
-  const { format, name } = checkOptions(options, ['format', 'name']);
-  checkFormat(format, readableFormats);
-  const bytes = isPath(source) ? session.host.readFile(source) : checkBytes(source);
-  const known = format === undefined ? (name ?? (isPath(source) ? nameOf(source) : '')) : `mesh.${format}`;
-  return ask(session, (core) => core.readMesh(bytes, String(known)));
-}
-
-/**
- * writeMesh(path, mesh, options?) or writeMesh(mesh, options).
- * @param {Session} session
- * @param {any[]} args
- * @returns {any}
- */
-function writeMesh(session, args) {
-  const toFile = isPath(args[0]);
-  const [mesh, options] = toFile ? args.slice(1) : args;
-  const checked = checkMesh(mesh, 'mesh');
-  const { format } = checkOptions(options, ['format']);
-  if (checkFormat(format, formats) === undefined && !toFile) throw invalidArgument('writeMesh(mesh, {format}) needs the format');
-  const written = format ?? ask(session, (core) => core.formatOfPath(nameOf(args[0])));
-  const bytes = ask(session, (core) => core.writeMesh(checked, written), [checked]);
-  return toFile ? session.host.writeFile(args[0], bytes) : bytes;
-}
-
-/**
  * @param {Core} core
  * @param {Host} host
  * @param {() => void} onStop called when the core stops for good
@@ -288,7 +220,10 @@ function writeMesh(session, args) {
  */
 export function createSyncApi(core, host, onStop) {
   /** @type {Session} */
-  const session = { core, host, onStop, stopped: false };
+  const session = { core, onStop, stopped: false };
+  /** @type {import('./mesh_operations.js').Ask} */
+  const askCore = (call, ...meshes) => ask(session, call, ...meshes);
+  const files = { host, formatOf: (/** @type {string} */ path) => askCore((running) => running.formatOfPath(path)) };
   return {
     union: (/** @type {any[]} */ ...args) => evaluate(session, 'union', args),
     intersect: (/** @type {any[]} */ ...args) => evaluate(session, 'intersect', args),
@@ -315,13 +250,8 @@ export function createSyncApi(core, host, onStop) {
       const [name, numbers] = checkShape(shape, parameters);
       return ask(session, () => core.makeShape(name, numbers));
     },
-    model: (mesh, options) => {
-      const checked = checkMesh(mesh, 'mesh');
-      const settings = checkModelOptions(options);
-      return new Model(ask(session, () => core.modelOf(checked, settings), [checked]));
-    },
-    ...meshOperations((call, meshes) => ask(session, call, meshes)),
-    readMesh: (source, options) => readMesh(session, source, options),
-    writeMesh: (/** @type {any[]} */ ...args) => writeMesh(session, args),
+    ...meshOperations(askCore),
+    ...modelFunctions(askCore, files),
+    ...fileFunctions(askCore, files),
   };
 }

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 // The same functions without promises.
 
-import type { BooleanOptions, BooleanResult, FaceTag, ImplantOptions, ImprintResult } from './booleans.js';
+import type { BooleanOptions, BooleanResult, FaceTag, ImplantOptions, ImprintResult, ImprintedOperand } from './booleans.js';
 import type { Format, ReadOptions, WriteOptions } from './files.js';
 import type { Mesh, MeshInput } from './mesh.js';
 import type { GroupedMesh, MeshPart, PinchFreeMesh, RepairSteps, RepairedMesh, Section, Shapes, SplitOptions, TransformStep, VertexMesh } from './mesh_operations.js';
-import type { Model, ModelOptions } from './models.js';
+import type { GmshProject, Model, ModelFormat, ModelOperand, ModelOptions, ResultModel, ResultModelOptions } from './models.js';
 import type { MeshOperand, Operand, PreparedOperand } from './operands.js';
 import type { Report } from './report.js';
 
@@ -55,7 +55,12 @@ export interface Mortise {
   splitPinches(mesh: MeshInput): PinchFreeMesh;
   repair(mesh: MeshInput, steps: RepairSteps): RepairedMesh;
   extrudeTo(mesh: MeshInput, options: { z: number }): Mesh;
-  model(mesh: MeshInput, options?: ModelOptions): Model;
+  model<Given extends MeshInput>(mesh: Given, options?: ModelOptions): Model<Given>;
+  resultModel(result: Pick<BooleanResult, 'mesh' | 'provenance'> | ImprintedOperand, operands: readonly ModelOperand[], options?: ResultModelOptions): ResultModel;
+  readModel(source: string | URL | Uint8Array | ArrayBuffer, options?: ReadOptions & Omit<ModelOptions, 'sources'>): Model;
+  writeModel(path: string | URL, model: Model<MeshInput>, options?: { format?: ModelFormat }): void;
+  writeModel(model: Model<MeshInput>, options: { format: ModelFormat }): Uint8Array;
+  gmshProject(model: Model<MeshInput>, options: { meshFile: string }): GmshProject;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;
   groupByLabel(mesh: MeshInput): GroupedMesh;

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, cornersToVertices, extrudeTo, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, partition, prepare, readMesh, repair } from 'mortise';
-import { resolve, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh } from 'mortise';
-import type { BooleanResult, DataChannel, ImprintResult, Mesh, MeshErrorCode, MeshInput, Mortise, PreparedOperand, Report, TransformStep } from 'mortise';
+import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, prepare, readMesh, readModel, repair } from 'mortise';
+import { resolve, resultModel, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
+import type { Attribute, AttributePolicy, BooleanResult, DataChannel, EntityPart, EntitySource, ImprintResult, Mesh, MeshErrorCode, MeshInput, Model, ModelEntity, Mortise } from 'mortise';
+import type { PreparedOperand, Report, ResultModel, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -73,7 +74,43 @@ const starts: number[] = (await groupByLabel(pair.mesh)).groups.map(({ start }) 
 // @ts-expect-error no such kind
 await union({ ...box, vertexData: { uv: { components: 2, values: [], kind: 'texture' } } }, box);
 
+interface Steel {
+  young: number;
+}
+const steel: Steel = { young: 210e9 };
+const policy: AttributePolicy = { split: 'largest', merge: 'error', delete: 'toNeighbours', pieceName: '{name} {piece}' };
+const boxModel: Model = await model(box, { faceAngle: 30 });
+const soupModel: Model<MeshInput> = await model(soup);
+const deckFace: ModelEntity = { dimension: 'face', id: 3 };
+boxModel.attributes.push({ name: 'deck', targets: [deckFace] }, { name: 'steel', kind: 'material', value: steel, targets: [{ dimension: 'region', id: 1 }], policy });
+const ship: ResultModel = await resultModel(pair, [boxModel, moved], { names: ['hull', 'gun'], attributesOf: [0], splitAtAttributes: false, seams: 'none' });
+await resultModel(imprinted.operands[0], [soupModel]);
+await resultModel(await intersect(box, { plane: [0, 0, 1, 0.5] }), [boxModel, { plane: [0, 0, 1, 0.5] }]);
+const shipAgain: BooleanResult = await union(ship.mesh, box);
+const sourcesOfDeck: EntitySource[] = ship.sourcesOf(deckFace);
+const partsOfDeck: EntityPart[] = ship.partsOf(0, deckFace);
+const shared: Attribute[] = ship.interfaces;
+const deckArea: number = ship.measures()[0].area;
+await writeModel('ship.msh', ship);
+const shipBytes: Uint8Array = await writeModel(ship, { format: 'vtu' });
+const shipBack: Model = await readModel(shipBytes, { format: 'vtu', faceAngle: 30 });
+const script: string = (await gmshProject(shipBack, { meshFile: 'ship.msh' })).script;
+// @ts-expect-error a mesh is no model
+await writeModel(box, { format: 'msh' });
+// @ts-expect-error the format keeps no models
+await writeModel(ship, { format: 'stl' });
+// @ts-expect-error a result has a provenance
+await resultModel(box, [boxModel]);
+// @ts-expect-error no such policy
+boxModel.attributes.push({ name: 'x', targets: [], policy: { split: 'union' } });
+// @ts-expect-error targets are entities
+boxModel.attributes.push({ name: 'x', targets: [3] });
+// @ts-expect-error a model is not a mesh
+await union(ship, box);
+
 const mortise: Mortise = await load({ wasmUrl: '/core.wasm' });
+const syncModel: ResultModel = mortise.resultModel(pair, [mortise.model(box), mortise.readModel('b.msh')]);
+const syncBytes: Uint8Array = mortise.writeModel(syncModel, { format: 'inp' });
 const now: BooleanResult = mortise.union(box, back, { onProgress: () => false });
 const nowBytes: Uint8Array = mortise.writeMesh(now.mesh, { format: 'obj' });
 const deck: Uint8Array = mortise.writeMesh(now.mesh, { format: 'inp' });
@@ -113,4 +150,5 @@ await union(make('box'), box);
 
 console.log(sharedIds, resolved, parts, sources, shells, step, polygons);
 console.log(uv?.values, copies, starts);
+console.log(shipAgain, sourcesOfDeck, partsOfDeck, shared, deckArea, script, syncBytes);
 console.log(operands, chains, genus, found, report.certified, nowBytes, analysed);

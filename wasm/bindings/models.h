@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Models, attributes and lineage as JavaScript hands them in and gets them back.
+#pragma once
+
+#include <emscripten/val.h>
+
+#include <span>
+#include <vector>
+
+#include "mortise/brep/attributes.h"
+#include "mortise/brep/build_brep.h"
+#include "mortise/mesh/provenance.h"
+
+namespace mortise::wasm {
+
+/// @param settings  {faceAngle, weakAngle?, edgeAngle, leastDangling, splitAtLabels, userEdges, seams, groups?}
+[[nodiscard]] BrepRules rules_in(const emscripten::val& settings);
+
+/// The settings to build a model again with: {groups?, userEdges?, normals?, planes?}, those that are given.
+[[nodiscard]] emscripten::val recipe_out(const BrepRules& rules, const FaceNormals& normals);
+
+/// A model with what it was built from. JavaScript keeps no more of it than that: it is built again for every call, the same way.
+struct BuiltModel {
+  SurfaceMesh mesh;
+  FaceNormals normals;
+  ClassifiedBrep model;
+};
+
+/// @param object  {mesh, settings}; settings are those of rules_in, with normals and planes of facets of a result
+[[nodiscard]] BuiltModel model_in(const emscripten::val& object);
+
+/// The arrays of ModelTables.
+[[nodiscard]] emscripten::val tables_out(const ModelView& view);
+
+/// @param object  the arrays of the Provenance of a result; other sources and covering sets may be missing
+[[nodiscard]] Provenance provenance_in(const emscripten::val& object);
+
+/// @throws Error{InvalidArgument} when it is not that of a result of so many triangles made from these operands
+void check_provenance(const Provenance& provenance, std::size_t triangles, std::span<const ModelView> operands);
+
+/// @param array  of {name, value, pieceName, codes, targets}: codes are the numbers of kind and policies on split, merge and deletion,
+///               targets dimension and number of one entity after the other
+[[nodiscard]] std::vector<Attribute> attributes_in(const emscripten::val& array);
+[[nodiscard]] emscripten::val attributes_out(std::span<const Attribute> attributes);
+
+/// The links by result: arrays dimension, result, operand, source, measure.
+[[nodiscard]] emscripten::val lineage_out(const Lineage& lineage);
+
+}  // namespace mortise::wasm
