@@ -63,7 +63,7 @@ export const arrangingHelp = `  --kind solid          refuse open meshes, naming
 /**
  * What binary STL files store is float32, so this is what gets certified.
  * @param {Arguments} args
- * @param {Target} target
+ * @param {{ format: string }} target
  * @returns {import('../index.js').BooleanOptions}
  */
 export function arrangingOptionsOf({ values: { kind, certify, tolerance } }, { format }) {
@@ -94,15 +94,22 @@ export function namingFiles(files, work) {
 }
 
 /**
+ * What --format says of the standard input: nothing, where it is of a format that is only written.
+ * @param {Arguments} args
+ */
+export function readingFormat({ values: { format } }) {
+  return format === undefined || format === 'geo' || writtenOnly.includes(format) ? {} : { format };
+}
+
+/**
  * The mesh in a file, or in the standard input for `-`. The format of a pipe is told by its content, or else by --format.
  * @param {Mortise} mortise
  * @param {string} file
  * @param {Arguments} args
  * @param {Streams} streams
  */
-export function readOperand(mortise, file, { values }, { stdin }) {
-  const options = values.format === undefined || writtenOnly.includes(values.format) ? {} : { format: values.format };
-  return namingFiles([file], () => (file === '-' ? mortise.readMesh(stdin(), options) : mortise.readMesh(file)));
+export function readOperand(mortise, file, args, { stdin }) {
+  return namingFiles([file], () => (file === '-' ? mortise.readMesh(stdin(), readingFormat(args)) : mortise.readMesh(file)));
 }
 
 /**
@@ -132,7 +139,7 @@ function formatOfName(file) {
 }
 
 /**
- * @param {Target} target
+ * @param {{ file: string }} target
  * @param {Uint8Array} bytes
  * @param {Streams} streams
  */

@@ -68,11 +68,11 @@ Exact booleans of triangle meshes.
   mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror
   mortise make SHAPE -o OUT [sizes]       box, sphere, cylinder, ...
   mortise inspect FILE                    counts, measures, self-intersections
-  mortise model FILE                      faces, edges, vertices and regions of a mesh
+  mortise model FILE [-o OUT.msh]         faces, edges, vertices and regions of a mesh, named
 
   mortise VERB --help, mortise --version
 
-Files: .stl .obj .ply .off .msh .vtk .vtu .mesh, to write .inp .bdf too; - is the standard input or output.
+Files: .stl .obj .ply .off .msh .vtk .vtu .mesh, to write .inp .bdf .geo too; - is the standard input or output.
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 bad input, 4 refused, 130 cancelled.
 `;
 

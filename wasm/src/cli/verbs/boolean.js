@@ -6,8 +6,9 @@
 
 import { invalidArgument } from '../../errors.js';
 import { parseNumbers } from '../arguments.js';
-import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send, targetOf } from '../common.js';
+import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send } from '../common.js';
 import { exitCode } from '../exit_codes.js';
+import { anglesOf, checkNaming, keepsModels, modelOfResult, modelTargetOf, nameRegions, namingHelp, namingOptions, readNamed, sendModel, shortName, targetName } from '../model_files.js';
 
 /**
  * What the verbs differ in. `word` is what stands before the files.
@@ -75,13 +76,13 @@ function helpText(name) {
 
 ${meaning} Meshes may touch, coincide, contain one another and cross themselves; open ones are sheets.
 
-${optionHelp}  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+${optionHelp}  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; .geo: for Gmsh, with a .msh; - is the standard output
   --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
 ${arrangingHelp}  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
-  --allow-uncertified   write the result even when it is not proven free of new crossings
+${namingHelp}  --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
 }
@@ -96,6 +97,33 @@ function planesOf({ typed }) {
 }
 
 /**
+ * What is to be written, and how.
+ * @typedef {object} Outcome
+ * @property {import('../../index.js').BooleanResult} result
+ * @property {string[]} files the operands that are files
+ * @property {import('../model_files.js').Named[]} operands of these, then of planes
+ * @property {import('../model_files.js').ModelTarget} target
+ */
+
+/**
+ * Writes the mesh of a result, or its model where the format keeps one; notes about that come into the report.
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {Outcome} outcome
+ * @param {import('../arguments.js').Arguments} args
+ * @param {import('../common.js').Streams} streams
+ */
+function writeResult(mortise, { result, files, operands, target }, args, streams) {
+  if (!keepsModels(target)) return send(target, mortise.writeMesh(result.mesh, { format: /** @type {any} */ (target.format) }), streams);
+  if (args.values['name-regions']) files.forEach((file, k) => nameRegions(operands[k].model, shortName(file)));
+  const names = operands.map((_, k) => (k < files.length ? shortName(files[k]) : 'plane'));
+  const sources = operands.map(({ mesh, model }) => model ?? mesh);
+  const { model, interfaces, note } = modelOfResult(mortise, result, sources, { ...anglesOf(args), names });
+  if (args.values.interfaces) model.attributes.push(...interfaces);
+  if (note !== undefined) result.report.notes.push(note);
+  sendModel(mortise, model, target, streams);
+}
+
+/**
  * @param {string} name
  * @returns {import('../common.js').Verb}
  */
@@ -105,23 +133,28 @@ export function booleanVerb(name) {
     help: helpText(name),
     options: {
       ...arrangingOptions,
+      ...namingOptions,
       ...options,
       plane: { type: 'string' },
       simplify: { type: 'string' },
     },
     run(mortise, args, streams) {
-      const target = targetOf(args);
+      const target = modelTargetOf(args);
+      checkNaming(args, target);
       const files = word === undefined ? args.positionals : args.positionals.slice(1);
       if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
-      const operands = [...files.map((file) => readOperand(mortise, file, args, streams)), ...planesOf(args)];
+      const read = (/** @type {string} */ file) => (keepsModels(target) ? readNamed(mortise, file, args, streams) : { mesh: readOperand(mortise, file, args, streams) });
+      const operands = [...files.map(read), ...planesOf(args).map((plane) => ({ mesh: plane }))];
       const settings = { ...arrangingOptionsOf(args, target), simplify: args.values.simplify };
-      const { mesh, report } = namingFiles(files, () => evaluate(mortise, operands, settings, args.positionals[0], args.values));
+      const meshes = operands.map(({ mesh }) => mesh);
+      const result = namingFiles(files, () => evaluate(mortise, meshes, settings, args.positionals[0], args.values));
+      const { report } = result;
       const refused = !report.certified && !args.values['allow-uncertified'];
-      if (!refused) send(target, mortise.writeMesh(mesh, { format: target.format }), streams);
+      if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
       report.operands = report.operands.map((operand, i) => ({ name: i < files.length ? displayName(files[i]) : '--plane', ...operand }));
       report.milliseconds = performance.now() - begin;
-      printReport(report, [name, refused ? 'not written' : `${displayName(target.file)} (${target.format})`], args, streams);
+      printReport(report, [name, refused ? 'not written' : targetName(target)], args, streams);
       if (refused) streams.err('mortise: the result is not certified and was not written; --allow-uncertified writes it\n');
       return refused ? exitCode.refused : exitCode.ok;
     },

@@ -1,16 +1,17 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// mortise model FILE
+// mortise model FILE [-o OUT]
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
 import { parseNumber } from '../arguments.js';
-import { asLists, displayName, namingFiles, readOperand, readingOptions } from '../common.js';
+import { asLists, displayName, namingFiles, readingFormat, writingOptions } from '../common.js';
 import { exitCode } from '../exit_codes.js';
+import { keepsModels, modelTargetOf, nameRegions, sendModel, shortName } from '../model_files.js';
 
 /** @param {import('../../index.js').Model} model */
 function modelAsJson(model) {
-  const { counts } = model;
+  const { counts, attributes } = model;
   const rows = (/** @type {number} */ count, /** @type {(i: number) => object} */ row) => Array.from({ length: count }, (_, i) => row(i));
   return {
     counts,
@@ -18,11 +19,21 @@ function modelAsJson(model) {
     edges: rows(counts.modelEdges, (i) => model.edge(i)),
     faces: rows(counts.modelFaces, (i) => model.face(i)),
     regions: rows(counts.regions + counts.voids + 1, (i) => model.region(i)),
+    attributes,
   };
 }
 
-/** @param {string} name @param {import('../../index.js').ModelCounts} counts */
-function countsAsText(name, counts) {
+/** @param {import('../../index.js').AttributeMeasure} measure */
+function measureText({ name, vertices, length, area, volume }) {
+  const number = (/** @type {number} */ x) => String(Number(x.toPrecision(12)));
+  /** @type {[string, number][]} */
+  const parts = [['vertices', vertices], ['length', length], ['area', area], ['volume', volume]];
+  return [name, ...parts.filter(([, much]) => much > 0).map(([what, much]) => `${what} ${number(much)}`)].join('  ');
+}
+
+/** @param {string} name @param {import('../../index.js').Model} model */
+function modelAsText(name, model) {
+  const { counts } = model;
   /** @type {[string, number][]} */
   const lines = [
     ['triangles', counts.triangles],
@@ -33,14 +44,15 @@ function countsAsText(name, counts) {
     ['voids', counts.voids],
     ['mesh edges', counts.meshEdgesOnModelEdges],
   ];
-  return [`model         ${name}`, ...lines.map(([what, count]) => `${what.padEnd(14)}${count}`), ''].join('\n');
+  const names = model.measures().map(measureText).map((text, i) => `${(i === 0 ? 'names' : '').padEnd(14)}${text}`);
+  return [`model         ${name}`, ...lines.map(([what, count]) => `${what.padEnd(14)}${count}`), ...names, ''].join('\n');
 }
 
 /** @type {import('../common.js').Verb} */
 export const modelVerb = {
-  help: `mortise model FILE
+  help: `mortise model FILE [-o OUT]
 
-The faces, edges, vertices and regions of a mesh; - is the standard input.
+The faces, edges, vertices and regions of a mesh, and the names on them; - is the standard input.
 
   --face-angle DEGREES   triangles at a larger angle are of different faces (default 40)
   --weak-angle DEGREES   edges above this one part faces too where they continue one
@@ -48,11 +60,17 @@ The faces, edges, vertices and regions of a mesh; - is the standard input.
   --least-dangling N     creases that end inside a face after fewer edges do not count (default 0)
   --seams MODE           none, annulus, disc: edges that open faces (default annulus)
   --join-labels          triangles of different labels may lie on one face
-  --json                 counts and entities as JSON
-  --format FORMAT        stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh: of the standard input
+  --name-regions         every region has the name of the file
+  -o, --output FILE      write the model: .msh .vtk .vtu .mesh .inp .bdf, or .geo, which Gmsh fills with tetrahedra, with a .msh;
+                         - is the standard output
+  --format FORMAT        msh, msh22, vtk, vtu, mesh, inp, bdf, geo: of the output, and of a mesh from - (the standard input);
+                         without an output also stl, stl-ascii, obj, ply, ply-ascii, off
+  --json                 counts, entities and attributes as JSON
+  -q, --quiet            print nothing
 `,
   options: {
-    ...readingOptions,
+    ...writingOptions,
+    'name-regions': { type: 'boolean' },
     'face-angle': { type: 'string' },
     'weak-angle': { type: 'string' },
     'edge-angle': { type: 'string' },
@@ -71,10 +89,16 @@ The faces, edges, vertices and regions of a mesh; - is the standard input.
       seams: /** @type {any} */ (args.values.seams),
       splitAtLabels: !args.values['join-labels'],
     };
-    const mesh = readOperand(mortise, args.positionals[0], args, streams);
-    const model = namingFiles(args.positionals, () => mortise.model(mesh, options));
-    if (args.values.json) streams.out(`${JSON.stringify(modelAsJson(model), asLists)}\n`);
-    else streams.out(countsAsText(displayName(args.positionals[0]), model.counts));
+    const [file] = args.positionals;
+    const target = args.values.output === undefined ? undefined : modelTargetOf(args);
+    if (target !== undefined && !keepsModels(target)) throw invalidArgument(`a model is written as .msh, .vtk, .vtu, .mesh, .inp, .bdf or .geo, not as ${target.format}`);
+    const model = namingFiles(args.positionals, () => (file === '-' ? mortise.readModel(streams.stdin(), { ...readingFormat(args), ...options }) : mortise.readModel(file, options)));
+    if (args.values['name-regions']) nameRegions(model, shortName(file));
+    if (target !== undefined) sendModel(mortise, model, target, streams);
+    if (args.values.quiet) return exitCode.ok;
+    const text = args.values.json ? `${JSON.stringify(modelAsJson(model), asLists)}\n` : modelAsText(displayName(file), model);
+    if (args.values.output === '-') streams.err(text);
+    else streams.out(text);
     return exitCode.ok;
   },
 };

@@ -76,7 +76,7 @@ on their left. A side that lies in the plane counts when the mesh is behind it.
     const mesh = readOperand(mortise, args.positionals[0], { ...args, values: {} }, streams);
     const section = namingFiles(args.positionals, () => mortise.slice(mesh, { plane }));
     const text = format === 'obj' ? objText(section) : jsonText(section, plane);
-    send({ file, format: 'obj' }, new TextEncoder().encode(text), streams);
+    send({ file }, new TextEncoder().encode(text), streams);
     if (args.values.quiet) return exitCode.ok;
     const { areas, area } = section;
     const said = args.values.json ? `${JSON.stringify({ plane, polygons: areas.length, area, areas: [...areas] }, null, 2)}\n` : summary(section, displayName(file));
