@@ -14,7 +14,7 @@ const advice = {
   NOT_FINITE: 'A coordinate is not a number.',
   BAD_INDEX: 'A triangle names a vertex that does not exist.',
   PARSE_FAILED: 'The file is damaged, or not of the kind its name says.',
-  UNKNOWN_FORMAT: 'Files may be STL, OBJ, PLY or OFF.',
+  UNKNOWN_FORMAT: 'Files may be STL, OBJ, PLY, OFF, MSH, VTK, VTU or MESH.',
   OUT_OF_MEMORY: 'The meshes are too large for this browser.',
   OUT_OF_RANGE: 'Coordinates this large do not fit. Use a smaller scale.',
 };
