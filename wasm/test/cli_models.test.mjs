@@ -11,7 +11,7 @@ import { load } from 'mortise';
 
 import { cube, run, temporaryFolder } from './support.mjs';
 
-const { make, model, readMesh, readModel, writeModel } = await load();
+const { make, model, readMesh, readModel, writeMesh, writeModel } = await load();
 
 const entity = (dimension, ...ids) => ids.map((id) => ({ dimension, id }));
 const namesOf = (m) => m.attributes.map(({ name }) => name).filter((name) => !/^(face|region) \d+$/.test(name));
@@ -67,6 +67,10 @@ test('regions and interfaces are named on request', (t) => {
   const names = namesOf(readModel(join(cwd, 'out.msh')));
   assert.ok(names.some((name) => /^interface\(plate\.face \d+, pin\.face \d\)$/.test(name)), names.join());
   assert.deepEqual(readdirSync(cwd).filter((name) => /out|part$/.test(name)), ['out.geo', 'out.msh']);
+  for (const [file, lo, hi] of [['left', [0, 0, 0], [1, 1, 1]], ['right', [1, 0, 0], [2, 1, 1]]]) writeFileSync(join(cwd, `${file}.ply`), writeMesh(make('box', { lo, hi }), { format: 'ply' }));
+  done(cwd, 'partition', 'left.ply', 'right.ply', '-o', 'wall.msh', '--interfaces', '--quiet');
+  const [wall, ...others] = readModel(join(cwd, 'wall.msh')).measures().filter(({ name }) => /^interface/.test(name));
+  assert.deepEqual([wall.area, wall.length, others], [1, 0, []], 'no names for the rim of the wall');
   const coarse = ['union', 'plate.msh', 'pin.stl', '-o', 'coarse.msh', '--quiet'];
   done(cwd, ...coarse);
   const { modelFaces } = readModel(join(cwd, 'coarse.msh')).counts;

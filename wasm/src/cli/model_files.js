@@ -39,7 +39,7 @@ export const modelAngleHelp = `  --face-angle DEGREES  of the model in .msh .vtk
   --edge-angle DEGREES  and where edges turn by more they have a vertex (default 45)
 `;
 
-export const namingHelp = `${modelAngleHelp}  --interfaces          names there for what operands share, as interface(hull.deck, gun.face 3): files and their faces
+export const namingHelp = `${modelAngleHelp}  --interfaces          names there for faces that operands share and edges where they cross: interface(hull.deck, gun.face 3)
   --name-regions        regions there have the names of the files they are in
 `;
 
@@ -114,6 +114,17 @@ export function nameRegions(model, name) {
 }
 
 /**
+ * The interfaces of a result without the edges round shared faces, which only repeat them: each goes by all faces at it.
+ * @param {import('../index.js').ResultModel} model
+ */
+function tellingInterfaces(model) {
+  const shared = new Set(model.interfaces.flatMap(({ targets }) => targets.filter(({ dimension }) => dimension === 'face').map(({ id }) => id)));
+  const isRim = (/** @type {number} */ edge) => model.edge(edge).faces.some(({ face }) => shared.has(face));
+  const telling = (/** @type {import('../index.js').ModelEntity} */ { dimension, id }) => dimension === 'face' || !isRim(id);
+  return model.interfaces.map((attribute) => ({ ...attribute, targets: attribute.targets.filter(telling) })).filter(({ targets }) => targets.length > 0);
+}
+
+/**
  * The model of a result with the names of its operands, or one by labels where an operand is not sound enough for a model; `note` says so.
  * @param {Mortise} mortise
  * @param {any} result
@@ -124,7 +135,7 @@ export function nameRegions(model, name) {
 export function modelOfResult(mortise, result, operands, options) {
   try {
     const model = mortise.resultModel(result, operands, options);
-    return { model, interfaces: model.interfaces };
+    return { model, interfaces: tellingInterfaces(model) };
   } catch (error) {
     if (!(error instanceof MeshError) || error.code !== 'INVALID_ARGUMENT' || error.details.operand === undefined) throw error;
     const { faceAngle, edgeAngle } = options;
