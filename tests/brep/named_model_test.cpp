@@ -96,6 +96,24 @@ TEST_CASE("a region is found by the faces round it, with their senses or without
   CHECK(targets_of(named_model_of(mesh).attributes)["inner"] == expected.at("inner"));
 }
 
+TEST_CASE("a partition is an operand again when its file says what bounds its regions", "[brep][io]") {
+  const ResultModel m(Operation::Partition, {box({0, 0, 0}, {2, 2, 2}), box({1, 1, 1}, {3, 3, 3}), make_grid_sheet(9, 9, 1, 1)});
+  const EntityMesh mesh = entity_mesh_of(m.result);
+  REQUIRE(std::count(m.boolean.mesh.walls.begin(), m.boolean.mesh.walls.end(), 1) > 0);
+  const SurfaceMesh back = read_mesh(write_entity_mesh(mesh, Format::Msh41), "");
+  CHECK(back.walls == m.boolean.mesh.walls);
+  const SurfaceMesh tool = box({-1, -1, -1}, {0.5, 0.5, 0.5});
+  const SurfaceMesh cut = evaluate(Operation::Partition, {back, tool}).mesh;
+  const SurfaceMesh expected = evaluate(Operation::Partition, {m.boolean.mesh, tool}).mesh;
+  CHECK(cut.points == expected.points);
+  CHECK(cut.triangles == expected.triangles);
+  CHECK(cut.walls == expected.walls);
+  CHECK(read_mesh(write_entity_mesh(mesh, Format::Vtk), "").walls.empty());
+  EntityMesh unknown = mesh;
+  unknown.entities[3][1].boundary.clear();
+  CHECK(surface_mesh_of(unknown).walls.empty());
+}
+
 TEST_CASE("names made up for what had none do not join those a file brought", "[brep][io]") {
   const SurfaceMesh cube = box({0, 0, 0}, {1, 1, 1});
   const ClassifiedBrep model = build_brep(cube);

@@ -77,6 +77,17 @@ test('attributes are the only names: those taken away are gone, labels too', () 
   assert.deepEqual(bare.attributes.map(({ name }) => name), ['surface 1', 'surface 2', 'surface 3', 'surface 4', 'surface 5', 'surface 6'], 'faces of a file without names go by their numbers');
 });
 
+test('a partition in MSH 4.1 is an operand again, its regions and all', () => {
+  const m = named();
+  const back = readModel(writeModel(m, { format: 'msh' }));
+  const tool = make('box', { lo: [-1, -1, -1], hi: [0.5, 0.5, 0.5] });
+  const cut = partition(back.mesh, tool);
+  assert.deepEqual(cut.report.operands.map(({ kind }) => kind), ['solid', 'solid']);
+  assert.equal(cut.report.volume, 15 + 27 / 8 - 1 / 8);
+  const steel = resultModel(cut, [back, tool]).measures().find(({ name }) => name === 'steel');
+  assert.equal(steel.volume, 8);
+});
+
 test('names go from file to file through an operation', () => {
   const ball = model(make('icosphere', { levels: 2 }));
   ball.attributes.push({ name: 'skin', targets: entity('face', 0) }, { name: 'water', targets: entity('region', 1) });

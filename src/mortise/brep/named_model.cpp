@@ -100,7 +100,7 @@ class NameReader {
   // What the file says bounds one of its regions.
   [[nodiscard]] std::set<Side> sides_of(const MeshEntity& region) const {
     std::set<Side> sides;
-    for (const std::int32_t tag : region.boundary) {
+    for (const std::int64_t tag : region.boundary) {
       const auto place = face_of_tag_.find(tag < 0 ? -tag : tag);
       if (place == face_of_tag_.end()) continue;
       for (const ModelEntity& face : targets_[2][place->second]) sides.insert({face.id, tag < 0});
@@ -156,7 +156,7 @@ class NameReader {
   const Brep& brep_;
   const Classification& on_;
   std::vector<std::uint8_t> voids_;
-  std::map<std::int32_t, std::uint32_t> face_of_tag_;                  // of the file
+  std::map<std::int64_t, std::uint32_t> face_of_tag_;                  // of the file
   std::vector<std::pair<std::uint32_t, std::set<Side>>> sides_round_;  // per region of the model that is one
   std::array<std::vector<std::set<ModelEntity>>, 4> targets_;          // per dimension and entity of the file
 };

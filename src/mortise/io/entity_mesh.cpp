@@ -4,6 +4,7 @@
 #include "mortise/io/entity_mesh.h"
 
 #include <algorithm>
+#include <map>
 
 #include "mortise/io/polygon_soup.h"
 
@@ -49,6 +50,28 @@ std::vector<std::string> labels_of_faces(const EntityMesh& mesh) {
   return labels;
 }
 
+/// Per face: does it bound two regions, or none? Empty when there are no regions, or one does not say what bounds it.
+std::vector<bool> find_wall_faces(const EntityMesh& mesh) {
+  const std::vector<MeshEntity>& regions = mesh.entities[3];
+  if (std::any_of(regions.begin(), regions.end(), [](const MeshEntity& r) { return r.boundary.empty(); })) return {};
+  std::map<std::int64_t, std::size_t> region_count;
+  for (const MeshEntity& region : regions) {
+    for (const std::int64_t tag : region.boundary) ++region_count[tag < 0 ? -tag : tag];
+  }
+  std::vector<bool> is_wall;
+  for (const MeshEntity& face : mesh.entities[2]) is_wall.push_back(!regions.empty() && region_count[face.tag] != 1);
+  return is_wall;
+}
+
+/// Per triangle: is it a wall? Empty when none is.
+std::vector<std::uint8_t> find_walls(const EntityMesh& mesh) {
+  const std::vector<bool> is_wall = find_wall_faces(mesh);
+  if (std::find(is_wall.begin(), is_wall.end(), true) == is_wall.end()) return {};
+  std::vector<std::uint8_t> walls;
+  for (const std::uint32_t face : mesh.triangle_entities) walls.push_back(is_wall[face] ? 1 : 0);
+  return walls;
+}
+
 /// Per entity of the dimension of a group: is it in the group?
 std::vector<bool> find_members(const EntityMesh& mesh, std::uint32_t name) {
   std::vector<bool> is_member;
@@ -81,6 +104,7 @@ SurfaceMesh surface_mesh_of(const EntityMesh& mesh) {
   SurfaceMesh made;
   made.points = mesh.points;
   made.triangles = mesh.triangles;
+  made.walls = find_walls(mesh);
   const std::vector<std::vector<std::uint32_t>> parts = elements_of_entities(mesh.entities[2], mesh.triangle_entities);
   const auto used = std::count_if(parts.begin(), parts.end(), [](const auto& part) { return !part.empty(); });
   if (used == 0 || (used == 1 && !has_names(mesh.entities[2]))) return made;

@@ -49,7 +49,8 @@ struct EntityMesh {
 
 /// The triangles, labelled by the first name of their face, faces in their order; a name that is empty reads "group 7" by its tag, a face
 /// without a name has the empty label. When no face has a name: "surface 7" by the tag of the face when several have triangles, no labels
-/// when one has. Points stay as they are, those no triangle uses too.
+/// when one has. Points stay as they are, those no triangle uses too. Where all regions say what bounds them, triangles that bound two
+/// or none are walls.
 [[nodiscard]] SurfaceMesh surface_mesh_of(const EntityMesh& mesh);
 
 /// The name as people read it: "group 7", by its tag, where it is empty.

@@ -30,7 +30,7 @@ export interface Mesh {
   labelNames?: string[];
   /**
    * One per triangle: 1 for a wall, which has the solid on both sides or on neither: faces between regions, sheets. Results have them
-   * where they need them, so that these can be operands again; PLY files keep them, others do not.
+   * where they need them, so that these can be operands again; PLY files keep them, and models in MSH 4.1, others do not.
    */
   walls?: Uint8Array;
   /**
