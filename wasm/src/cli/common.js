@@ -61,14 +61,14 @@ export const arrangingHelp = `  --kind solid          refuse open meshes, naming
 `;
 
 /**
- * What binary STL files store is float32, so this is what gets certified.
+ * What binary STL and GLB files store is float32, so this is what gets certified.
  * @param {Arguments} args
  * @param {{ format: string }} target
  * @returns {import('../index.js').BooleanOptions}
  */
 export function arrangingOptionsOf({ values: { kind, certify, tolerance } }, { format }) {
   const length = tolerance === undefined ? undefined : parseNumber(tolerance, 'tolerance');
-  return /** @type {any} */ ({ kind, certify, tolerance: length, coordinates: format === 'stl' ? 'float32' : 'float64' });
+  return /** @type {any} */ ({ kind, certify, tolerance: length, coordinates: format === 'stl' || format === 'glb' ? 'float32' : 'float64' });
 }
 
 /** How a report names a file. @param {string} file */
@@ -133,8 +133,8 @@ export function targetOf({ values }) {
 
 /** @param {string} file @returns {Format} */
 function formatOfName(file) {
-  const extension = /\.(stl|obj|ply|off|msh|vtk|vtu|mesh|inp|bdf|nas)$/i.exec(file)?.[1].toLowerCase();
-  if (extension === undefined) throw invalidArgument(`'${file}' does not end in .stl, .obj, .ply, .off, .msh, .vtk, .vtu, .mesh, .inp, .bdf or .nas: name the format with --format`);
+  const extension = /\.(stl|obj|ply|off|glb|msh|vtk|vtu|mesh|inp|bdf|nas)$/i.exec(file)?.[1].toLowerCase();
+  if (extension === undefined) throw invalidArgument(`'${file}' does not end in .stl, .obj, .ply, .off, .glb, .msh, .vtk, .vtu, .mesh, .inp, .bdf or .nas: name the format with --format`);
   return extension === 'nas' ? 'bdf' : /** @type {Format} */ (extension);
 }
 

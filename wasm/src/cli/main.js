@@ -72,7 +72,7 @@ Exact booleans of triangle meshes.
 
   mortise VERB --help, mortise --version
 
-Files: .stl .obj .ply .off .msh .vtk .vtu .mesh, to write .inp .bdf .geo too; - is the standard input or output.
+Files: .stl .obj .ply .off .msh .vtk .vtu .mesh, to write .glb .inp .bdf .geo too; - is the standard input or output.
 Exit codes: 0 ok, 1 check failed, 2 usage, 3 bad input, 4 refused, 130 cancelled.
 `;
 

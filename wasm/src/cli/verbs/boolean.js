@@ -76,8 +76,8 @@ function helpText(name) {
 
 ${meaning} Meshes may touch, coincide, contain one another and cross themselves; open ones are sheets.
 
-${optionHelp}  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; .geo: for Gmsh, with a .msh; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+${optionHelp}  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; .geo: for Gmsh, with a .msh; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane

@@ -15,8 +15,8 @@ export const extrudeVerb = {
 The solid between an open sheet that is a heightfield (a terrain) and the plane at height Z below or above it.
 
   --to-z Z              height of the plane
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   -q, --quiet           print no report

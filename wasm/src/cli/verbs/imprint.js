@@ -16,8 +16,8 @@ Every mesh as it is, split along its contacts with the others: nothing is remove
 edges and coinciding triangles. %d in the name becomes 1, 2, 3, ... in the order of the meshes. The report is about all of them
 as one mesh, triangles that coincide counted once. Meshes are closed; they may touch, coincide, contain one another and cross.
 
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf .geo, with %d in its name
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf .geo, with %d in its name
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
 ${arrangingHelp}${modelAngleHelp}  --allow-uncertified   write the meshes even when they are not proven free of new crossings

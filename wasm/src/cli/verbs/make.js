@@ -54,8 +54,8 @@ Shapes with their parameters and defaults; points and polygons are numbers with 
 
 ${shapeLines.join('\n')}
 
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf
   --json                print the report as JSON
   -q, --quiet           print no report
 `,

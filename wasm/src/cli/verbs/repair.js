@@ -41,8 +41,8 @@ Mends what is asked for and nothing else, in this order, and says what it did.
   --fill-planar-holes   simple holes whose corners lie in one plane exactly
   --split-pinches       copies vertices where bodies touch in an edge or a corner: manifold shells (formats with shared
                         vertices keep them; reading a file welds equal positions again)
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the report as JSON
   -q, --quiet           print no report

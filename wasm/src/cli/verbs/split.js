@@ -29,8 +29,8 @@ Writes every part of a mesh to a file of its own; %d in the name becomes 1, 2, 3
 
   --by components       parts connected through edges (the default)
   --by regions          solids, each with its cavities; solids that touch in an edge or a corner are two
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf, with %d in its name
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf:
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf, with %d in its name
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                         of the output, and of a mesh from - (the standard input)
   --json                print the list of parts as JSON
   -q, --quiet           print no list

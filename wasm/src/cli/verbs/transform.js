@@ -43,8 +43,8 @@ Steps are done in the order typed and may be repeated. Rotations are in degrees 
   --rotate-x DEG  --rotate-y DEG  --rotate-z DEG
   --translate x,y,z     also -1,2,3
   --mirror x|y|z        what is outside stays outside
-  -o, --output FILE     .stl .obj .ply .off .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
-  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; inp, bdf
+  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
+  --format FORMAT       stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf
   --json                print the report as JSON
   -q, --quiet           print no report
 `,
