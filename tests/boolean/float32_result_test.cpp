@@ -82,7 +82,8 @@ void check(Operation operation, const std::vector<SurfaceMesh>& operands, Tally&
   CHECK(are_float32(rounded.mesh.points));
   if (is_given_up(rounded)) return;
   CHECK(is_certified(rounded));
-  if (oracle::self_crossings(exact.mesh).empty()) CHECK(oracle::self_crossings(rounded.mesh).empty());
+  const bool is_quick = !is_reduced_run() || rounded.mesh.triangles.size() <= 20000;
+  if (is_quick) CHECK((oracle::self_crossings(rounded.mesh).empty() || !oracle::self_crossings(exact.mesh).empty()));
   if (operation != Operation::Partition && exact.report.sheets.empty()) CHECK(is_balanced(rounded.mesh));
   check_near(exact, rounded);
 }
