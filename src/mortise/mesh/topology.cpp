@@ -59,6 +59,8 @@ MeshTopology build_topology(const SurfaceMesh& mesh) {
   std::vector<std::uint32_t> begin;
   std::vector<UpwardUse> uses = group_by_low_end(mesh, begin);
   topology.uses.reserve(uses.size());
+  topology.edges.reserve(uses.size() / 2 + 1);  // all of a closed mesh
+  topology.use_begin.reserve(uses.size() / 2 + 2);
   for (std::uint32_t low = 0; low < mesh.points.size(); ++low) {
     std::sort(uses.begin() + begin[low], uses.begin() + begin[low + 1]);
     for (std::uint32_t i = begin[low]; i < begin[low + 1]; ++i) {
