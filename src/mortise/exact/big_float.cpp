@@ -51,8 +51,8 @@ struct SignedDigit {
   std::size_t place;
 };
 
-/// The digits that are not zero when they may be negative. Sums and differences of doubles far apart have few: what lies between the doubles
-/// are digits 0, or 2^32 - 1 where one was subtracted. Up to a number of them; then the answer is that there are more.
+/// The digits that are not zero when they may be negative. Sums and differences of doubles far apart have few: what lies between the
+/// doubles are digits 0, or 2^32 - 1 where one was subtracted. Up to a number of them; then the answer is that there are more.
 class SparseDigits {
  public:
   static constexpr std::size_t most = 48;
