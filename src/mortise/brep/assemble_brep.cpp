@@ -119,8 +119,8 @@ class BrepAssembler {
     brep.faces_of_edge = lists_of<ModelEdgeId, FaceUse>(
         face_uses, brep.edges.size(), [](const auto& use) { return use.first; }, [](const auto& use) { return use.second; });
     for (const CrowdedEdge& crowded : parts_.crowded) {
-      std::copy(crowded.round.begin(), crowded.round.end(),
-                brep.faces_of_edge.items.begin() + brep.faces_of_edge.begin[crowded.edge.index()]);
+      const auto first = static_cast<std::ptrdiff_t>(brep.faces_of_edge.begin[crowded.edge.index()]);
+      std::copy(crowded.round.begin(), crowded.round.end(), brep.faces_of_edge.items.begin() + first);
     }
   }
 
