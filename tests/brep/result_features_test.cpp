@@ -27,8 +27,9 @@ double length_of(const SurfaceMesh& mesh, const std::vector<std::array<VertexId,
 }  // namespace
 
 TEST_CASE("the edges of a result where operands meet are those of the graph, for random solids", "[brep]") {
+  const std::size_t pairs = scaled_count(80, 2000);
   std::size_t compared = 0;
-  for (std::size_t seed = 1; seed <= scaled_count(80, 2000); ++seed) {
+  for (std::size_t seed = 1; seed <= pairs; ++seed) {
     INFO("seed " << seed);
     const std::vector<SurfaceMesh> solids = RandomSolids(seed).next(2);
     for (const Operation operation : {Operation::Union, Operation::Partition}) {
@@ -41,7 +42,7 @@ TEST_CASE("the edges of a result where operands meet are those of the graph, for
       compared += expected > 0 ? 1 : 0;
     }
   }
-  CHECK(compared > 20);
+  CHECK(compared * 5 >= pairs);
 }
 
 TEST_CASE("faces that join smoothly are parted at the graph, or by their operands, when asked to", "[brep]") {

@@ -28,13 +28,14 @@ struct Options {
 };
 
 struct Tally {
-  std::size_t cases = 0, failed = 0, uncertified = 0;
+  std::size_t cases = 0, failed = 0, uncertified = 0, slow = 0;
   double displacement = 0, seconds = 0, longest = 0;
 
   void add(const CaseOutcome& outcome) {
     ++cases;
     failed += outcome.faults.empty() ? 0 : 1;
     uncertified += outcome.is_uncertified ? 1 : 0;
+    slow += outcome.is_slow ? 1 : 0;
     displacement = std::max(displacement, outcome.displacement);
     seconds += outcome.seconds;
     longest = std::max(longest, outcome.seconds);
@@ -79,8 +80,8 @@ CaseOutcome run_case(unsigned long long seed, unsigned long long number, std::ar
 }
 
 void print_progress(const Options& options, const Tally& all) {
-  std::printf("campaign: %zu cases, seed %llu: %zu failed, %zu uncertified, %.1f s\n", all.cases, options.seed, all.failed, all.uncertified,
-              all.seconds);
+  std::printf("campaign: %zu cases, seed %llu: %zu failed, %zu uncertified, %zu slow, %.1f s\n", all.cases, options.seed, all.failed,
+              all.uncertified, all.slow, all.seconds);
   std::fflush(stdout);
 }
 
@@ -88,8 +89,8 @@ void print_families(const std::array<Tally, family_count>& families) {
   for (std::size_t f = 0; f < family_count; ++f) {
     const Tally& tally = families[f];
     const std::string name(family_name(static_cast<Family>(f)));
-    std::printf("  %-8s %6zu cases %4zu failed %5zu uncertified, displacement at most %.3g x 2^-52, %.1f s, longest %.2f s\n", name.c_str(),
-                tally.cases, tally.failed, tally.uncertified, tally.displacement, tally.seconds, tally.longest);
+    std::printf("  %-8s %6zu cases %4zu failed %5zu uncertified %4zu slow, displacement at most %.3g x 2^-52, %.1f s, longest %.2f s\n",
+                name.c_str(), tally.cases, tally.failed, tally.uncertified, tally.slow, tally.displacement, tally.seconds, tally.longest);
   }
 }
 

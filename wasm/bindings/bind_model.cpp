@@ -3,6 +3,7 @@
 // Models of meshes, of results with what they inherit, and of files; models as files.
 #include <emscripten/bind.h>
 
+#include <array>
 #include <deque>
 #include <map>
 #include <string>
@@ -14,6 +15,7 @@
 #include "models.h"
 #include "mortise/brep/model_mesh.h"
 #include "mortise/brep/named_model.h"
+#include "mortise/brep/result_features.h"
 #include "mortise/io/formats.h"
 #include "mortise/io/gmsh_script.h"
 #include "mortise/mesh/half_space.h"
@@ -154,7 +156,7 @@ void add_groups(std::vector<std::uint32_t> added, std::vector<std::uint32_t>& gr
 
 /// {tables, recipe, attributes, interfaces, lineage}.
 /// @param result  {mesh, provenance}
-/// @param settings  those of rules_in, and {splitAtAttributes, names}: of the operands
+/// @param settings  those of rules_in, and {splitAtAttributes, graphEdges, names}: of the operands
 val result_model(const val& result, const val& operand_array, const val& settings) {
   return answer([&] {
     const SurfaceMesh mesh = mesh_in(result["mesh"]);
@@ -164,6 +166,10 @@ val result_model(const val& result, const val& operand_array, const val& setting
     BrepRules rules = rules_in(settings);
     if (settings["splitAtAttributes"].as<bool>())
       add_groups(group_by_attributes(provenance, operands.classifications(), operands.carried()), rules.features.groups);
+    if (settings["graphEdges"].as<bool>()) {
+      const std::vector<std::array<VertexId, 2>> graph = find_graph_edges(mesh, provenance);
+      rules.features.user_edges.insert(rules.features.user_edges.end(), graph.begin(), graph.end());
+    }
     const FaceNormals normals = source_normals(provenance, operands.normals());
     const ClassifiedBrep model = build_brep(mesh, rules, normals);
     const ModelView view = view_of(mesh, model);

@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "mortise/base/error.h"
+#include "mortise/base/sort_unique.h"
 
 namespace mortise::wasm {
 namespace {
@@ -68,8 +69,7 @@ Attribute attribute_in(const val& object) {
   a.policy = {static_cast<OnSplit>(codes[1]), static_cast<OnMerge>(codes[2]), static_cast<OnDelete>(codes[3]),
               object["pieceName"].as<std::string>()};
   for (std::size_t i = 0; i + 1 < targets.size(); i += 2) a.targets.push_back({static_cast<EntityDimension>(targets[i]), targets[i + 1]});
-  std::sort(a.targets.begin(), a.targets.end());
-  a.targets.erase(std::unique(a.targets.begin(), a.targets.end()), a.targets.end());
+  sort_unique(a.targets);
   return a;
 }
 

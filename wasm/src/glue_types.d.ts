@@ -97,6 +97,7 @@ export interface ModelSettings {
 /** What `resultModel` is told beside. */
 export interface ResultSettings {
   splitAtAttributes: boolean;
+  graphEdges: boolean;
   names: string[];
 }
 

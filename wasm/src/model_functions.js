@@ -18,7 +18,7 @@ import { ResultModel } from './result_model.js';
 
 /** What `model` takes, but `sources`. */
 const plainOptions = modelOptions.slice(0, -1);
-const resultOptions = ['attributesOf', 'splitAtAttributes', 'names'];
+const resultOptions = ['attributesOf', 'splitAtAttributes', 'graphEdges', 'names'];
 
 /** @param {CheckedMesh} mesh */
 function triangleCount({ positions, triangles }) {
@@ -121,11 +121,12 @@ export function modelFunctions(ask, files) {
     const { given, mesh, provenance, groups } = checkResult(result);
     if (!Array.isArray(operands) || operands.length === 0) throw invalidArgument(`resultModel takes an array of the operands second, not ${describe(operands)}`);
     if (groups !== undefined && operands.length !== 1) throw invalidArgument(`an operand of an imprint comes from one operand: give its model only, not ${operands.length}`);
-    const { attributesOf, splitAtAttributes = true, names, ...others } = checkOptions(options, [...plainOptions, ...resultOptions]);
+    const { attributesOf, splitAtAttributes = true, graphEdges = false, names, ...others } = checkOptions(options, [...plainOptions, ...resultOptions]);
     if (typeof splitAtAttributes !== 'boolean') throw invalidArgument(`splitAtAttributes must be true or false, not ${describe(splitAtAttributes)}`);
+    if (typeof graphEdges !== 'boolean') throw invalidArgument(`graphEdges must be true or false, not ${describe(graphEdges)}`);
     const carried = checkAttributesOf(attributesOf, operands.length);
     const settings = checkModelOptions(others);
-    const resultSettings = { ...settings, groups, splitAtAttributes, names: checkNames(names, operands.length) };
+    const resultSettings = { ...settings, groups, splitAtAttributes, graphEdges, names: checkNames(names, operands.length) };
     const models = operands.map(operandModel);
     const checked = models.map((model, k) => (model instanceof Model ? { ...model.checked(`operands[${k}]`), carried: carried?.includes(k) ?? true } : model));
     const meshes = checked.map((operand) => ('mesh' in operand ? operand.mesh : operand));

@@ -223,6 +223,7 @@ test('the result gets attributes of the operands asked for, and faces end where 
   assert.deepEqual(seen({ attributesOf: [1] }), [7, 'top 1: 2']);
   assert.deepEqual(seen({ attributesOf: [] }), [6]);
   assert.deepEqual(seen({ splitAtAttributes: false }), [6, 'top 0: 3', 'top 1: 3'], 'on the whole of a face that is partly theirs');
+  assert.deepEqual(seen({ graphEdges: true }), [10, 'top 0: 1', 'top 1: 2'], 'four faces of both operands in two');
 });
 
 test('labels are attributes, of meshes, results and operands that are given as meshes', () => {
@@ -315,6 +316,7 @@ test('what has no meaning is refused, and says where', async () => {
     [() => resultModel(result, [mesh, other], { names: ['a'] }), /names must be 2 strings/],
     [() => resultModel(result, [mesh, other], { attributesOf: [2] }), /attributesOf must be an array of operands 0 to 1/],
     [() => resultModel(result, [mesh, other], { splitAtAttributes: 1 }), /splitAtAttributes must be true or false/],
+    [() => resultModel(result, [mesh, other], { graphEdges: 'yes' }), /graphEdges must be true or false/],
     [() => resultModel(result, [mesh, other], { sources: {} }), /unknown option 'sources'/],
     [() => resultModel(result, [mesh, other]).sourcesOf(face(99)), /the model has no face 99/],
     [() => resultModel(result, [mesh, other]).partsOf(2, face(0)), /operand must be a number below 2, not number 2/],

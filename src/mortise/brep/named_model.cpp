@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "mortise/base/sort_unique.h"
 #include "mortise/mesh/weld.h"
 
 namespace mortise {
@@ -23,8 +24,7 @@ std::vector<MeshEdge> welded_lines(const EntityMesh& file, const std::vector<Ver
 
 // Those that are sides of triangles, ascending, each once.
 std::vector<MeshEdge> sides_among(std::vector<MeshEdge> lines, const SurfaceMesh& mesh) {
-  std::sort(lines.begin(), lines.end());
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  sort_unique(lines);
   std::vector<bool> is_side(lines.size());
   for (const Triangle& t : mesh.triangles) {
     for (std::size_t k = 0; k < 3 && !lines.empty(); ++k) {

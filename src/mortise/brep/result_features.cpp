@@ -31,9 +31,8 @@ std::vector<std::array<VertexId, 2>> find_graph_edges(const SurfaceMesh& mesh, c
   const std::vector<std::uint32_t> groups = group_by_operands(provenance);
   const auto mark_of = [&](HalfEdge h) {
     const std::size_t t = face_of(h).index();
-    const std::uint32_t covering = provenance.covering.empty() ? 0 : provenance.covering[t];
-    const std::uint32_t in_front = provenance.covering_front.empty() ? 0 : provenance.covering_front[t];
-    return std::tuple(groups[t], provenance.category[t], covering, in_front);
+    const auto of_facet = [t](const auto& marks) { return marks.empty() ? 0U : static_cast<std::uint32_t>(marks[t]); };
+    return std::tuple(groups[t], of_facet(provenance.category), of_facet(provenance.covering), of_facet(provenance.covering_front));
   };
   const MeshTopology topology = build_topology(mesh);
   std::vector<std::array<VertexId, 2>> edges;

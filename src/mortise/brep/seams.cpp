@@ -9,6 +9,7 @@
 #include <limits>
 #include <queue>
 
+#include "mortise/base/sort_unique.h"
 #include "mortise/geom/length.h"
 #include "mortise/geom/lexicographic.h"
 
@@ -45,8 +46,7 @@ class SeamFinder {
     for (std::size_t p = 0; p < loops.size(); ++p) {
       if (is_cut[p] != 0) cut(faces.of(PieceId(p)), loops[p].loops, boundaries_.genus[p]);
     }
-    std::sort(found_.begin(), found_.end());
-    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    sort_unique(found_);
     return std::move(found_);
   }
 

@@ -164,6 +164,8 @@ export interface ResultModelOptions extends Omit<ModelOptions, 'sources'> {
   attributesOf?: readonly number[];
   /** Do faces end where attributes of faces of operands do? Default true. */
   splitAtAttributes?: boolean;
+  /** Do faces end where operands met, whatever the angle? Default false. */
+  graphEdges?: boolean;
   /** What `interfaces` call the operands. Default: a, b, c ... */
   names?: readonly string[];
 }
