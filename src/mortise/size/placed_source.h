@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// A size source in axes of its own, where its closest point takes few operations and slivers do no harm.
+#pragma once
+
+#include "mortise/size/size_source.h"
+
+namespace mortise {
+
+/// The first corner is the origin, the longest edge the first axis, the triangle in the plane of the first two.
+struct PlacedSource {
+  Vec3d origin, axis_x, axis_y;
+  std::uint8_t corner_count = 1;
+  double length = 0;                   ///< the second corner is (length, 0)
+  double apex_x = 0, apex_y = 0;       ///< the third corner, apex_y >= 0
+  std::array<double, 6> polynomial{};  ///< the strength: p0 + p1 x + p2 y + p3 xx + p4 xy + p5 yy
+  bool is_constant = true;
+  double least = 0;     ///< strength anywhere on it
+  double steepest = 0;  ///< slope of the strength anywhere on it
+  double radius = 0;
+  double rate = 0;  ///< growth - 1
+};
+
+/// @param source  a checked one
+[[nodiscard]] PlacedSource place_source(const SizeSource& source);
+
+/// The size a source asks for at a point.
+[[nodiscard]] double size_from(const PlacedSource& source, const Vec3d& p);
+
+/// size_from changes by no more than this times the way between two points, apart from rounding.
+[[nodiscard]] double slope_of(const PlacedSource& source);
+
+}  // namespace mortise
