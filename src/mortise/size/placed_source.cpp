@@ -5,27 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mortise/geom/length.h"
-
 namespace mortise {
 namespace {
-
-Vec3d unit(const Vec3d& v) {
-  const double size = length(v);
-  return size > 0 ? Vec3d{v.x / size, v.y / size, v.z / size} : Vec3d{};
-}
-
-// The corner the longest edge starts from.
-std::size_t first_of_longest(const std::array<Vec3d, 3>& p) {
-  std::size_t first = 0;
-  double longest = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double size = length(p[(k + 1) % 3] - p[k]);
-    if (size > longest) first = k;
-    longest = std::max(longest, size);
-  }
-  return first;
-}
 
 // Values at the corners, then in the middles of edges 01, 12, 20 of a triangle, whatever the order.
 std::array<double, 6> nodal_values(const SizeSource& source) {
@@ -64,22 +45,19 @@ double least_on_triangle(const Quadratic& q) {
   return std::min(least, q[0] + (q[1] * u + q[2] * v) / 2);
 }
 
-void place_segment(const SizeSource& source, PlacedSource& placed) {
-  const Vec3d along = source.corners[1] - source.corners[0];
-  placed.axis_x = unit(along);
-  placed.length = length(along);
+void vary_along_segment(const SizeSource& source, PlacedSource& placed) {
   const std::array<double, 6>& s = source.strengths;
-  const double middle = source.order == StrengthOrder::Quadratic ? s[2] : (s[0] + s[1]) / 2;
-  if (placed.is_constant || !(placed.length > 0)) return;
-  const double b = 4 * middle - 3 * s[0] - s[1], c = 2 * s[0] + 2 * s[1] - 4 * middle, size = placed.length;
+  const double middle = source.order == StrengthOrder::Quadratic ? s[2] : (s[0] + s[1]) / 2, size = placed.shape.length;
+  if (!(size > 0)) return;
+  const double b = 4 * middle - 3 * s[0] - s[1], c = 2 * s[0] + 2 * s[1] - 4 * middle;
   placed.polynomial = {s[0], b / size, 0, c / size / size, 0, 0};
   placed.least = least_between(s[0], b, c);
   placed.steepest = std::max(std::fabs(b), std::fabs(b + 2 * c)) / size;
 }
 
 // With x = length u + apex_x v, y = apex_y v.
-std::array<double, 6> in_axes(const Quadratic& q, const PlacedSource& placed) {
-  const double ux = 1 / placed.length, vy = 1 / placed.apex_y, uy = -placed.apex_x / (placed.length * placed.apex_y);
+std::array<double, 6> in_axes(const Quadratic& q, const PlacedTriangle& t) {
+  const double ux = 1 / t.length, vy = 1 / t.apex_y, uy = -t.apex_x / (t.length * t.apex_y);
   return {q[0],
           q[1] * ux,
           q[1] * uy + q[2] * vy,
@@ -93,55 +71,16 @@ double steepness(const std::array<double, 6>& p, double x, double y) {
                    (p[2] + p[4] * x + 2 * p[5] * y) * (p[2] + p[4] * x + 2 * p[5] * y));
 }
 
-void place_triangle(const SizeSource& source, PlacedSource& placed) {
-  const std::size_t first = first_of_longest(source.corners);
-  const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
-  const Vec3d along = source.corners[second] - source.corners[first], to_apex = source.corners[third] - source.corners[first];
-  placed.origin = source.corners[first];
-  placed.axis_x = unit(along);
-  placed.length = length(along);
-  placed.apex_x = dot(to_apex, placed.axis_x);
-  const Vec3d height = to_apex - placed.apex_x * placed.axis_x;
-  placed.apex_y = length(height);
-  const Vec3d rough = unit(height);
-  placed.axis_y = unit(rough - dot(rough, placed.axis_x) * placed.axis_x);
-  if (placed.is_constant || !(placed.apex_y > 0)) return;
+void vary_over_triangle(const SizeSource& source, PlacedSource& placed) {
+  const PlacedTriangle& t = placed.shape;
+  if (!(t.apex_y > 0)) return;
+  const std::size_t first = t.first, second = (first + 1) % 3, third = (first + 2) % 3;
   const std::array<double, 6> s = nodal_values(source);
   const Quadratic q = through_nodes({s[first], s[second], s[third], s[3 + first], s[3 + second], s[3 + third]});
-  placed.polynomial = in_axes(q, placed);
+  placed.polynomial = in_axes(q, t);
   placed.least = least_on_triangle(q);
-  placed.steepest = std::max({steepness(placed.polynomial, 0, 0), steepness(placed.polynomial, placed.length, 0),
-                              steepness(placed.polynomial, placed.apex_x, placed.apex_y)});
-}
-
-struct PlanePoint {
-  double x = 0, y = 0;
-};
-
-// The closest point of the segment from a to b.
-PlanePoint closest_between(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p) {
-  const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
-  const double t = square > 0 ? std::clamp(((p.x - a.x) * dx + (p.y - a.y) * dy) / square, 0.0, 1.0) : 0.0;
-  return {a.x + t * dx, a.y + t * dy};
-}
-
-double square_between(const PlanePoint& a, const PlanePoint& b) { return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y); }
-
-// The base is the longest edge: the triangle lies above it, between its ends.
-PlanePoint closest_in_triangle(const PlacedSource& s, const PlanePoint& p) {
-  const PlanePoint apex{s.apex_x, s.apex_y};
-  if (!(p.y > 0)) return {std::clamp(p.x, 0.0, s.length), 0};
-  const bool is_left = s.apex_x * p.y - s.apex_y * p.x > 0;
-  const bool is_right = (p.x - s.length) * s.apex_y - (s.apex_x - s.length) * p.y > 0;
-  if (!is_left && !is_right && p.y <= s.apex_y) return p;
-  const PlanePoint left = closest_between({0, 0}, apex, p), right = closest_between({s.length, 0}, apex, p);
-  return square_between(left, p) <= square_between(right, p) ? left : right;
-}
-
-PlanePoint closest_of(const PlacedSource& s, const PlanePoint& p) {
-  if (s.corner_count == 1) return {0, 0};
-  if (s.corner_count == 2) return {std::clamp(p.x, 0.0, s.length), 0};
-  return closest_in_triangle(s, p);
+  placed.steepest = std::max(
+      {steepness(placed.polynomial, 0, 0), steepness(placed.polynomial, t.length, 0), steepness(placed.polynomial, t.apex_x, t.apex_y)});
 }
 
 double strength_at(const PlacedSource& s, const PlanePoint& p) {
@@ -154,23 +93,20 @@ double strength_at(const PlacedSource& s, const PlanePoint& p) {
 
 PlacedSource place_source(const SizeSource& source) {
   PlacedSource placed;
-  placed.origin = source.corners[0];
-  placed.corner_count = source.corner_count;
+  placed.shape = place_triangle(source.corners, source.corner_count);
   placed.polynomial[0] = source.strengths[0];
   placed.is_constant = source.order == StrengthOrder::Constant || source.corner_count == 1;
   placed.least = source.strengths[0];
   placed.radius = source.radius;
   placed.rate = source.growth - 1;
-  if (source.corner_count == 2) place_segment(source, placed);
-  if (source.corner_count == 3) place_triangle(source, placed);
+  if (!placed.is_constant && source.corner_count == 2) vary_along_segment(source, placed);
+  if (!placed.is_constant && source.corner_count == 3) vary_over_triangle(source, placed);
   return placed;
 }
 
 double size_from(const PlacedSource& source, const Vec3d& p) {
-  const Vec3d from = p - source.origin;
-  const PlanePoint at{dot(from, source.axis_x), dot(from, source.axis_y)};
-  const PlanePoint closest = closest_of(source, at);
-  const Vec3d away = from - closest.x * source.axis_x - closest.y * source.axis_y;
+  const PlanePoint closest = closest_in(source.shape, p);
+  const Vec3d away = p - source.shape.origin - closest.x * source.shape.axis_x - closest.y * source.shape.axis_y;
   const double outside = std::sqrt(dot(away, away)) - source.radius;
   const double distance = outside <= 0 ? 0 : outside;  // NaN stays
   return (source.is_constant ? source.least : strength_at(source, closest)) + source.rate * distance;

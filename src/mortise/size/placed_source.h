@@ -3,16 +3,13 @@
 // A size source in axes of its own, where its closest point takes few operations and slivers do no harm.
 #pragma once
 
+#include "mortise/geom/placed_triangle.h"
 #include "mortise/size/size_source.h"
 
 namespace mortise {
 
-/// The first corner is the origin, the longest edge the first axis, the triangle in the plane of the first two.
 struct PlacedSource {
-  Vec3d origin, axis_x, axis_y;
-  std::uint8_t corner_count = 1;
-  double length = 0;                   ///< the second corner is (length, 0)
-  double apex_x = 0, apex_y = 0;       ///< the third corner, apex_y >= 0
+  PlacedTriangle shape;
   std::array<double, 6> polynomial{};  ///< the strength: p0 + p1 x + p2 y + p3 xx + p4 xy + p5 yy
   bool is_constant = true;
   double least = 0;     ///< strength anywhere on it

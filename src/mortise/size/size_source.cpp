@@ -20,7 +20,7 @@ bool is_finite(double x) { return std::fabs(x) <= largest; }
 bool is_finite(const Vec3d& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
 
 bool is_too_thin(const PlacedSource& placed) {
-  return !placed.is_constant && placed.corner_count == 3 && !(placed.apex_y > thinnest * placed.length);
+  return !placed.is_constant && placed.shape.corner_count == 3 && !(placed.shape.apex_y > thinnest * placed.shape.length);
 }
 
 // Empty when there is none.

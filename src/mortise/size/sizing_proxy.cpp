@@ -48,7 +48,7 @@ SizingProxy::SizingProxy(std::span<const SizeSource> sources, const SizeLimits& 
   for (std::size_t n = bounds_.size(); n-- > 0;) bounds_[n] = bound_below(n, sources);
   for (const PlacedSource& source : sources_) {
     slope_ = std::max(slope_, slope_of(source));
-    doubt_ = std::max(doubt_, epsilon * source.rate * (source.length + source.radius));
+    doubt_ = std::max(doubt_, epsilon * source.rate * (source.shape.length + source.radius));
   }
 }
 

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// What the remesher does again and again, each over the whole mesh (paper 7.4, Figs. 20-22). Order and results depend on numbering only.
+#pragma once
+
+#include "mortise/base/progress.h"
+#include "mortise/remesh/working_mesh.h"
+
+namespace mortise {
+
+/// Gives every model edge its number of mesh edges, n with L / h in [sqrt(n (n - 1)), sqrt(n (n + 1))), of equal length in units of the
+/// size, as far as the triangles beside it allow.
+void resample_model_edges(WorkingMesh& w);
+
+/// Splits edges inside faces that are longer than this in units of the size, the longest first; after each split, edges opposite to the
+/// new vertex are swapped where that lowers the largest angle.
+void split_long_edges(WorkingMesh& w, double longest);
+
+/// Collapses edges inside faces shorter than this, the shortest first, where that makes none longer than `longest`.
+void collapse_short_edges(WorkingMesh& w, double shortest, double longest);
+
+/// Swaps edges until no swap lowers a largest angle (Fig. 21).
+void swap_edges(WorkingMesh& w);
+
+/// Moves every vertex inside a face once, in the tangent plane, to where its triangles are more alike (CVT of the paper: the mean of the
+/// circumcentres weighted with areas in units of the size), then back onto the face.
+/// @param good_enough  a least mean ratio that may fall as far as this for the sake of other triangles; 0: no triangle gets worse
+void smooth_vertices(WorkingMesh& w, double good_enough);
+
+/// Works on triangles with an angle below this: swap, collapse, move.
+void improve_worst_triangles(WorkingMesh& w, double least_angle_deg, double longest);
+
+/// Puts vertices that a fold kept off their face onto it, and looks up the triangle of the reference every triangle lies on.
+void settle_on_reference(WorkingMesh& w);
+
+}  // namespace mortise

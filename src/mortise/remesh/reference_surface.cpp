@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+#include "mortise/remesh/reference_surface.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "mortise/geom/length.h"
+
+namespace mortise {
+namespace {
+
+constexpr double flatness = 1e-10;  // of the size of a face
+constexpr std::size_t deepest = 128;
+
+double square_distance(const Box3& box, const Vec3d& p) {
+  const auto outside = [](double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : 0.0; };
+  const double x = outside(box.lo.x, box.hi.x, p.x), y = outside(box.lo.y, box.hi.y, p.y), z = outside(box.lo.z, box.hi.z, p.z);
+  return x * x + y * y + z * z;
+}
+
+double square_of(const Vec3d& v) { return dot(v, v); }
+
+std::vector<HalfEdge> opposites_in_faces(const SurfaceMesh& mesh, const std::vector<ModelFaceId>& face_of_triangle) {
+  std::vector<HalfEdge> opposite(3 * mesh.triangles.size());
+  for (HalfEdge h = 0; h < opposite.size(); ++h) opposite[h] = h;
+  const MeshTopology topology = build_topology(mesh);
+  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
+    const std::span<const HalfEdge> uses = topology.uses_of(MeshEdgeId(e));
+    if (uses.size() != 2 || face_of_triangle[uses[0] / 3] != face_of_triangle[uses[1] / 3]) continue;
+    opposite[uses[0]] = uses[1];
+    opposite[uses[1]] = uses[0];
+  }
+  return opposite;
+}
+
+}  // namespace
+
+ReferenceSurface::ReferenceSurface(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals)
+    : points_(mesh.points),
+      triangles_(mesh.triangles),
+      normals_(normals.normals),
+      opposite_(opposites_in_faces(mesh, model.classification.face_of_triangle)),
+      faces_(model.brep.faces.size()),
+      paths_(model.classification.path) {
+  for (std::uint32_t t = 0; t < triangles_.size(); ++t) {
+    const auto& [a, b, c] = triangles_[t];
+    placed_.push_back(place_triangle({points_[a.index()], points_[b.index()], points_[c.index()]}));
+    faces_[model.classification.face_of_triangle[t]].triangles.push_back(t);
+  }
+  for (Face& face : faces_) {
+    std::vector<Box3> boxes;
+    for (const std::uint32_t t : face.triangles) {
+      Box3 box;
+      for (const VertexId v : triangles_[t]) box.extend(points_[v.index()]);
+      boxes.push_back(box);
+    }
+    face.tree = BoxTree(boxes);
+    face.is_plane = lies_in_plane(face);
+  }
+  for (std::size_t e = 0; e < paths_.size(); ++e) {
+    double arc = 0;
+    const std::span<const VertexId> path = paths_.of(ModelEdgeId(e));
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      if (k > 0) arc += mortise::length(points_[path[k].index()] - points_[path[k - 1].index()]);
+      arcs_.items.push_back(arc);
+    }
+    arcs_.close();
+  }
+}
+
+bool ReferenceSurface::lies_in_plane(const Face& face) const {
+  Vec3d sum;
+  for (const std::uint32_t t : face.triangles) {
+    const auto& [a, b, c] = triangles_[t];
+    sum = sum + cross(points_[b.index()] - points_[a.index()], points_[c.index()] - points_[a.index()]);
+  }
+  const double size = mortise::length(sum);
+  if (!(size > 0)) return false;
+  const Vec3d normal{sum.x / size, sum.y / size, sum.z / size};
+  const double within = flatness * mortise::length(face.tree.bounds().hi - face.tree.bounds().lo);
+  const Vec3d& origin = points_[triangles_[face.triangles.front()][0].index()];
+  return std::all_of(face.triangles.begin(), face.triangles.end(), [&](std::uint32_t t) {
+    return dot(normals_[t], normal) > 1 - 1e-9 && std::all_of(triangles_[t].begin(), triangles_[t].end(), [&](VertexId v) {
+             return std::fabs(dot(points_[v.index()] - origin, normal)) <= within;
+           });
+  });
+}
+
+SurfacePlace ReferenceSurface::project(ModelFaceId face, const Vec3d& p, std::uint32_t near) const {
+  return faces_[face].is_plane ? SurfacePlace{p, near} : locate(face, p, near);
+}
+
+SurfacePlace ReferenceSurface::place_on(std::uint32_t triangle, const Vec3d& p) const {
+  return {in_space(placed_[triangle], closest_in(placed_[triangle], p)), triangle};
+}
+
+std::uint32_t ReferenceSurface::walk(const Vec3d& p, std::uint32_t from) const {
+  double least = square_of(place_on(from, p).point - p);
+  for (std::uint32_t before = from;; before = from) {
+    for (HalfEdge h = 3 * before; h < 3 * before + 3; ++h) {
+      const std::uint32_t t = opposite_[h] / 3;
+      const double square = t == before ? least : square_of(place_on(t, p).point - p);
+      if (!(square < least)) continue;
+      least = square;
+      from = t;
+    }
+    if (from == before) return from;
+  }
+}
+
+SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uint32_t near) const {
+  const Face& on = faces_[face];
+  const std::span<const BoxTree::Node> nodes = on.tree.nodes();
+  SurfacePlace place = place_on(walk(p, near), p);
+  // A little more than that: the tree finds the least, and the lowest triangle of several, wherever the walk began.
+  double least = square_of(place.point - p) * (1 + 1e-9) + std::numeric_limits<double>::min();
+  bool is_found = false;
+  struct Entry {
+    std::uint32_t node = 0;
+    double square = 0;
+  };
+  std::array<Entry, deepest> stack;
+  std::size_t depth = 0;
+  stack[depth++] = {0, 0};
+  while (depth > 0) {
+    const Entry entry = stack[--depth];
+    if (entry.square > least) continue;
+    const BoxTree::Node& node = nodes[entry.node];
+    if (node.is_leaf()) {
+      for (const BoxTree::Item& item : on.tree.items_of(node)) {
+        if (square_distance(item.box, p) > least) continue;
+        const SurfacePlace candidate = place_on(on.triangles[item.id], p);
+        const double square = square_of(candidate.point - p);
+        if (square > least || (square == least && is_found && candidate.triangle > place.triangle)) continue;
+        least = square;
+        place = candidate;
+        is_found = true;
+      }
+      continue;
+    }
+    Entry closer{node.first, square_distance(nodes[node.first].box, p)},
+        other{node.first + 1, square_distance(nodes[node.first + 1].box, p)};
+    if (other.square < closer.square) std::swap(closer, other);
+    if (other.square <= least) stack[depth++] = other;
+    if (closer.square <= least) stack[depth++] = closer;
+  }
+  return place;
+}
+
+Vec3d ReferenceSurface::point_at(ModelEdgeId edge, double arc) const {
+  const std::span<const double> arcs = arcs_.of(edge);
+  const std::span<const VertexId> path = paths_.of(edge);
+  const auto after = static_cast<std::size_t>(std::upper_bound(arcs.begin(), arcs.end(), arc) - arcs.begin());
+  if (after == 0) return points_[path.front().index()];
+  if (after == arcs.size()) return points_[path.back().index()];
+  const Vec3d &a = points_[path[after - 1].index()], &b = points_[path[after].index()];
+  const double t = (arc - arcs[after - 1]) / (arcs[after] - arcs[after - 1]);
+  return t == 0 ? a : a + t * (b - a);
+}
+
+}  // namespace mortise

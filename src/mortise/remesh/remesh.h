@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// A mesh of the size wanted on the same model: model edges first, then faces, by splits, collapses, swaps and moves (paper 7.4, step 16).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "mortise/base/progress.h"
+#include "mortise/brep/brep.h"
+#include "mortise/brep/face_normals.h"
+#include "mortise/size/sizing_proxy.h"
+
+namespace mortise {
+
+struct RemeshRules {
+  double shortest = 0.92;          ///< edges inside faces shorter than this in units of the size are collapsed
+  double longest = 1.42;           ///< longer ones are split
+  std::uint32_t rounds = 3;        ///< of collapses, swaps, splits and moves
+  std::uint32_t last_rounds = 10;  ///< on the worst triangles
+  double worst_angle_deg = 34;     ///< those with an angle below this
+  double most_triangles = 2e7;     ///< a size that asks for more is refused
+  ProgressCallback progress;
+};
+
+/// The same model with another mesh: equal entity numbers.
+struct RemeshResult {
+  SurfaceMesh mesh;  ///< labels and walls are those of the triangles it lies on; values at vertices and corners are left out
+  Classification classification;
+  std::vector<FaceId> sources;  ///< per triangle: the triangle of the given mesh its middle is closest to
+};
+
+/// How many triangles of these sizes the mesh takes: the integral of 2.31 / h^2 over the surface, to a few per cent.
+[[nodiscard]] double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes);
+
+/// Every vertex stays on its model entity, every new one lies on one; model vertices stay as they are.
+///
+/// @param model  of the mesh, made without seams
+/// @param normals  as in build_brep
+/// @throws Error{InvalidArgument} for rules that mean nothing and for seams, Error{ResultTooLarge} naming the count predicted,
+///         Error{Cancelled}
+[[nodiscard]] RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals,
+                                  const SizingProxy& sizes, const RemeshRules& rules = {});
+
+}  // namespace mortise

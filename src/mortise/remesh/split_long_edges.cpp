@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "mortise/remesh/passes.h"
+
+namespace mortise {
+namespace {
+
+constexpr double longest_median = 0.95;  // of the length of its edge: 0.87 where that is the longest of the triangle
+
+/// An edge as it was when it was queued. The longest comes first, of equal ones the lowest half-edge.
+struct QueuedEdge {
+  double length = 0;
+  HalfEdge half_edge = 0;
+  VertexId origin, target;
+
+  bool operator<(const QueuedEdge& other) const { return length != other.length ? length < other.length : half_edge > other.half_edge; }
+};
+
+class EdgeSplitter {
+ public:
+  EdgeSplitter(WorkingMesh& w, double longest) : w_(w), longest_(longest) {}
+
+  void run() {
+    for (HalfEdge h = 0; h < w_.mesh.half_edge_count(); ++h) {
+      if (w_.mesh.has(h) && stands_for_edge(w_.mesh, h)) push(h);
+    }
+    while (!queue_.empty()) {
+      const QueuedEdge next = queue_.top();
+      queue_.pop();
+      const HalfEdge h = next.half_edge;
+      const bool is_same = w_.mesh.has(h) && w_.mesh.origin(h) == next.origin && w_.mesh.target(h) == next.target;
+      if (is_same && makes_shorter(h)) split(h);
+    }
+  }
+
+ private:
+  void push(HalfEdge h) {
+    if (w_.mesh.is_on_model_edge(h)) return;
+    const double length = metric_length(w_, h);
+    if (length > longest_) queue_.push({length, h, w_.mesh.origin(h), w_.mesh.target(h)});
+  }
+
+  // Edges that stay may have other half-edges after a change beside them.
+  void push_triangle(HalfEdge h) {
+    push(h);
+    push(next_in_face(h));
+    push(EditMesh::previous_in_face(h));
+  }
+
+  // Beside a longer model edge the new edges may be as long as this one: then splits would not come to an end.
+  [[nodiscard]] bool makes_shorter(HalfEdge h) const {
+    const VertexId a = w_.mesh.origin(h), b = w_.mesh.target(h);
+    const Vec3d middle = 0.5 * (w_.mesh.points[a.index()] + w_.mesh.points[b.index()]);
+    const Vec3d along = w_.mesh.points[b.index()] - w_.mesh.points[a.index()];
+    bool is_shorter = true;
+    w_.mesh.for_each_use(h, [&](HalfEdge u) {
+      const Vec3d across = w_.mesh.points[w_.mesh.apex(u).index()] - middle;
+      is_shorter = is_shorter && dot(across, across) < longest_median * longest_median * dot(along, along);
+    });
+    return is_shorter;
+  }
+
+  void split(HalfEdge h) {
+    const VertexId m = split_at_middle(w_, h);
+    std::vector<HalfEdge> leaving;
+    w_.mesh.for_each_leaving(m, [&](HalfEdge g) { leaving.push_back(g); });
+    for (const HalfEdge g : leaving) push_triangle(g);
+    for (const HalfEdge g : leaving) swap_opposite(next_in_face(g));
+  }
+
+  void swap_opposite(HalfEdge h) {
+    if (!swap_lowers_angle(w_, h)) return;
+    const HalfEdge t = w_.mesh.opposite(h);
+    // No swap makes an edge too long that was not: splits come to an end.
+    if (metric_length(w_, w_.mesh.apex(h), w_.mesh.apex(t)) > std::max(longest_, metric_length(w_, h))) return;
+    w_.mesh.swap_edge(h);
+    push_triangle(h);
+    push_triangle(t);
+  }
+
+  WorkingMesh& w_;
+  double longest_;
+  std::priority_queue<QueuedEdge> queue_;
+};
+
+}  // namespace
+
+void split_long_edges(WorkingMesh& w, double longest) { EdgeSplitter(w, longest).run(); }
+
+}  // namespace mortise
