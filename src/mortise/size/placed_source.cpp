@@ -10,21 +10,11 @@
 namespace mortise {
 namespace {
 
+constexpr double thinnest = 1e-6;
+
 Vec3d unit(const Vec3d& v) {
   const double size = length(v);
   return size > 0 ? Vec3d{v.x / size, v.y / size, v.z / size} : Vec3d{};
-}
-
-// The corner the longest edge starts from.
-std::size_t first_of_longest(const std::array<Vec3d, 3>& p) {
-  std::size_t first = 0;
-  double longest = -1;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double size = length(p[(k + 1) % 3] - p[k]);
-    if (size > longest) first = k;
-    longest = std::max(longest, size);
-  }
-  return first;
 }
 
 // Values at the corners, then in the middles of edges 01, 12, 20 of a triangle, whatever the order.
@@ -94,7 +84,7 @@ double steepness(const std::array<double, 6>& p, double x, double y) {
 }
 
 void place_triangle(const SizeSource& source, PlacedSource& placed) {
-  const std::size_t first = first_of_longest(source.corners);
+  const std::size_t first = longest_edge_of(source.corners);
   const std::size_t second = (first + 1) % 3, third = (first + 2) % 3;
   const Vec3d along = source.corners[second] - source.corners[first], to_apex = source.corners[third] - source.corners[first];
   placed.origin = source.corners[first];
@@ -152,6 +142,17 @@ double strength_at(const PlacedSource& s, const PlanePoint& p) {
 
 }  // namespace
 
+std::size_t longest_edge_of(const std::array<Vec3d, 3>& corners) {
+  std::size_t first = 0;
+  double longest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double size = length(corners[(k + 1) % 3] - corners[k]);
+    if (size > longest) first = k;
+    longest = std::max(longest, size);
+  }
+  return first;
+}
+
 PlacedSource place_source(const SizeSource& source) {
   PlacedSource placed;
   placed.origin = source.corners[0];
@@ -164,6 +165,10 @@ PlacedSource place_source(const SizeSource& source) {
   if (source.corner_count == 2) place_segment(source, placed);
   if (source.corner_count == 3) place_triangle(source, placed);
   return placed;
+}
+
+bool is_too_thin_to_vary(const PlacedSource& source) {
+  return !source.is_constant && source.corner_count == 3 && !(source.apex_y > thinnest * source.length);
 }
 
 double size_from(const PlacedSource& source, const Vec3d& p) {

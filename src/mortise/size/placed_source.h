@@ -24,6 +24,12 @@ struct PlacedSource {
 /// @param source  a checked one
 [[nodiscard]] PlacedSource place_source(const SizeSource& source);
 
+/// The corner the longest edge of a triangle starts from; of equal ones the first.
+[[nodiscard]] std::size_t longest_edge_of(const std::array<Vec3d, 3>& corners);
+
+/// Is it a triangle lower than 1e-6 of its longest edge, with a strength that is not constant?
+[[nodiscard]] bool is_too_thin_to_vary(const PlacedSource& source);
+
 /// The size a source asks for at a point.
 [[nodiscard]] double size_from(const PlacedSource& source, const Vec3d& p);
 
