@@ -38,7 +38,7 @@ TEST_CASE("every chain has its own spacing, between vertices where not two edges
   mesh.points = {{0, 0, 0}, {1, 0, 0}, {4, 0, 0}, {-5, 0, 0}, {0, 1, 0}, {0, 1, 1}, {9, 9, 9}};
   mesh.points[5] = {0, 2, 0};
   const Edges edges = edges_of({{0, 1}, {1, 2}, {3, 0}, {0, 4}, {4, 5}, {5, 0}});
-  const std::vector<SizeSource> sources = sources_of_graph(mesh, edges, 1.5);
+  const std::vector<SizeSource> sources = sources_of_graph(mesh.points, edges, 1.5);
   // By ends: 01, 03, 04, 05, 12, 45; the loop is (1 + 1 + 2) / 3 long on average.
   CHECK(sizes_of(sources) == std::vector<double>{2, 5, 4. / 3, 4. / 3, 2, 4. / 3});
   CHECK(sources[1].corners[0] == mesh.points[0]);
@@ -51,7 +51,7 @@ TEST_CASE("sources of a graph do not depend on the order or sense of its edges, 
       Operation::Union, pointers_to({make_box({0, 0, 0}, {2, 2, 2}), make_icosphere(1, 3), make_box({1, -1, -1}, {3, 3, 0.3})}));
   Edges edges = find_graph_edges(result.mesh, result.provenance);
   REQUIRE(edges.size() > 40);
-  const std::vector<SizeSource> sources = sources_of_graph(result.mesh, edges, 1.2);
+  const std::vector<SizeSource> sources = sources_of_graph(result.mesh.points, edges, 1.2);
   RandomSource random(7);
   for (int round = 0; round < 5; ++round) {
     random.shuffle(edges);
@@ -59,7 +59,7 @@ TEST_CASE("sources of a graph do not depend on the order or sense of its edges, 
       if (random.once_in(2)) std::swap(a, b);
     }
     edges.push_back(edges[random.below(edges.size())]);
-    const std::vector<SizeSource> again = sources_of_graph(result.mesh, edges, 1.2);
+    const std::vector<SizeSource> again = sources_of_graph(result.mesh.points, edges, 1.2);
     REQUIRE(again.size() == sources.size());
     CHECK(sizes_of(again) == sizes_of(sources));
     for (std::size_t i = 0; i < sources.size(); ++i) CHECK(again[i].corners == sources[i].corners);
@@ -72,23 +72,23 @@ TEST_CASE("where two boxes meet, all six edges of the loop have the spacing of a
       evaluate_boolean(Operation::Union, pointers_to({make_box({0, 0, 0}, {2, 2, 2}), make_box({1, 1, 1}, {3, 3, 3})}));
   const Edges edges = find_graph_edges(result.mesh, result.provenance);
   double length = 0;
-  for (const SizeSource& s : sources_of_graph(result.mesh, edges, 1.2)) {
+  for (const SizeSource& s : sources_of_graph(result.mesh.points, edges, 1.2)) {
     CHECK(s.strengths[0] == Approx(6. / static_cast<double>(edges.size())).epsilon(1e-15));
     length += s.strengths[0];
   }
   CHECK(length == Approx(6));
 }
 
-TEST_CASE("a graph may be empty or without length, but not of vertices that are not there", "[size]") {
+TEST_CASE("a graph may be empty or without length, but not of points that are not there", "[size]") {
   SurfaceMesh mesh;
   mesh.points = {{0, 0, 0}, {0, 0, 0}};
-  CHECK(sources_of_graph(mesh, {}, 1.2).empty());
-  CHECK(sources_of_graph(mesh, edges_of({{0, 1}}), 1.2).empty());
+  CHECK(sources_of_graph(mesh.points, {}, 1.2).empty());
+  CHECK(sources_of_graph(mesh.points, edges_of({{0, 1}}), 1.2).empty());
   try {
-    (void)sources_of_graph(mesh, edges_of({{0, 1}, {2, 0}}), 1.2);
+    (void)sources_of_graph(mesh.points, edges_of({{0, 1}, {2, 0}}), 1.2);
     FAIL("taken");
   } catch (const Error& error) {
-    CHECK(error.message == "an edge ends at a vertex that is not there");
+    CHECK(error.message == "an edge ends at a point that is not there");
     CHECK(error.id_kind == IdKind::VertexPairs);
     CHECK(error.ids == std::vector<std::uint32_t>{2, 0});
   }

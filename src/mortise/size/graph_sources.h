@@ -7,19 +7,20 @@
 #include <span>
 #include <vector>
 
-#include "mortise/mesh/surface_mesh.h"
+#include "mortise/base/ids.h"
 #include "mortise/size/size_source.h"
 
 namespace mortise {
 
-/// A segment for each edge, of size length / number of edges of its chain. Chains end at vertices that have not two of the edges;
+/// A segment for each edge, of size length / number of edges of its chain. Chains end at points that have not two of the edges;
 /// one without ends is closed.
 ///
-/// @param edges  find_graph_edges, or the mesh on model edges; in any order, either end first
+/// @param points  of an intersection graph, or of a mesh
+/// @param edges  of the graph; of a mesh find_graph_edges, or what lies on model edges; in any order, either end first
 /// @return by ends, the lower first, each edge once; none for chains without length
-/// @throws Error{InvalidArgument} naming edges between vertices that are not there
+/// @throws Error{InvalidArgument} naming edges between points that are not there
 /// O(n log n).
-[[nodiscard]] std::vector<SizeSource> sources_of_graph(const SurfaceMesh& mesh, std::span<const std::array<VertexId, 2>> edges,
+[[nodiscard]] std::vector<SizeSource> sources_of_graph(std::span<const Vec3d> points, std::span<const std::array<VertexId, 2>> edges,
                                                        double growth);
 
 }  // namespace mortise
