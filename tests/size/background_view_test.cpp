@@ -138,7 +138,8 @@ TEST_CASE("a view has no more cells than wanted", "[size]") {
 
 TEST_CASE("views of nothing are refused", "[size]") {
   const SizingProxy proxy({}, {.global = 1});
-  for (const Box3& box : {Box3{}, Box3{{1, 1, 1}, {1, 1, 1}}, Box3{{0, 0, 0}, {std::numeric_limits<double>::infinity(), 1, 1}}})
+  for (const Box3& box :
+       {Box3{}, Box3{{1, 1, 1}, {1, 1, 1}}, Box3{{0, 0, 1}, {1, 1, 0}}, Box3{{0, 0, 0}, {std::numeric_limits<double>::infinity(), 1, 1}}})
     CHECK_THROWS_AS(background_view(proxy, box), Error);
   CHECK_THROWS_AS(background_view(proxy, {{0, 0, 0}, {1, 1, 1}}, {.error = 0}), Error);
   CHECK_THROWS_AS(background_view(proxy, {{0, 0, 0}, {1, 1, 1}}, {.most_cells = 0}), Error);

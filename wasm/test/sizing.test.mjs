@@ -139,6 +139,7 @@ test('a view for Gmsh covers the mesh, the model or a box', async () => {
   await meshError('INVALID_ARGUMENT', () => made[2].toGmshView(), MeshError);
   await meshError('INVALID_ARGUMENT', () => made[2].toGmshView({ min: [0, 0, 0] }), MeshError);
   await meshError('INVALID_ARGUMENT', () => made[2].toGmshView({ min: [1, 1, 1], max: [1, 1, 1] }), MeshError);
+  await meshError('INVALID_ARGUMENT', () => made[2].toGmshView({ min: [0, 0, 1], max: [1, 1, 0] }), MeshError);
   made.forEach((each) => each.dispose());
 });
 

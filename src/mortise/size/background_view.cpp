@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <queue>
 #include <vector>
 
 #include "mortise/base/error.h"
@@ -56,28 +57,30 @@ class ViewGrid {
       : proxy_(proxy), limits_(limits), box_(box), places_(places_of_a_cell()) {
     const Vec3d extent = box.hi - box.lo;
     const double longest = std::max({extent.x, extent.y, extent.z});
-    if (!(longest > 0 && longest <= std::numeric_limits<double>::max()) || !(limits.error > 0) || limits.most_cells == 0)
+    const bool is_box = longest > 0 && longest <= std::numeric_limits<double>::max() && extent.x >= 0 && extent.y >= 0 && extent.z >= 0;
+    if (!is_box || !(limits.error > 0) || limits.most_cells == 0)
       throw Error(ErrorCode::InvalidArgument, "background_view", "a view needs a box with a length, an error and cells");
     side_ = longest * (1 + 2 * margin);
     origin_ = box.lo - Vec3d{margin * longest, margin * longest, margin * longest};
   }
 
-  // Level by level, as long as there is room.
+  // Where it is needed most first, as long as there is room.
   [[nodiscard]] std::vector<Cell> refine() const {
-    std::vector<Cell> done, level{Cell{}};
-    while (!level.empty()) {
-      std::vector<Cell> next;
-      for (std::size_t i = 0; i < level.size(); ++i) {
-        const std::size_t count = done.size() + next.size() + (level.size() - i) + 7;
-        if (count <= limits_.most_cells && is_too_coarse(level[i])) {
-          add_halves(level[i], next);
-        } else {
-          done.push_back(level[i]);
-        }
+    std::vector<Cell> cells{Cell{}};
+    std::priority_queue<Candidate> candidates;
+    candidates.push({need_of(cells[0]), 0});
+    while (!candidates.empty() && candidates.top().need > 1 && cells.size() + 7 <= limits_.most_cells) {
+      const std::size_t place = candidates.top().place;
+      candidates.pop();
+      const std::vector<Cell> halves = halves_of(cells[place]);  // at least one meets the box
+      cells[place] = halves[0];
+      candidates.push({need_of(halves[0]), place});
+      for (std::size_t k = 1; k < halves.size(); ++k) {
+        candidates.push({need_of(halves[k]), cells.size()});
+        cells.push_back(halves[k]);
       }
-      level = std::move(next);
     }
-    return done;
+    return cells;
   }
 
   void append(const Cell& cell, std::string& text) const {
@@ -95,6 +98,13 @@ class ViewGrid {
   }
 
  private:
+  struct Candidate {
+    double need = 0;
+    std::size_t place = 0;
+
+    bool operator<(const Candidate& other) const { return need != other.need ? need < other.need : place > other.place; }
+  };
+
   // The same bits from all cells that have the point.
   [[nodiscard]] Vec3d point(const Cell& cell, const std::array<std::uint32_t, 3>& halves) const {
     const double half = side_ / static_cast<double>(std::uint64_t{2} << cell.level);
@@ -102,15 +112,18 @@ class ViewGrid {
     return origin_ + Vec3d{along(0), along(1), along(2)};
   }
 
-  void add_halves(const Cell& cell, std::vector<Cell>& halves) const {
+  [[nodiscard]] std::vector<Cell> halves_of(const Cell& cell) const {
+    std::vector<Cell> halves;
     for (std::uint32_t k = 0; k < 8; ++k) {
       const Cell half{{2 * cell.at[0] + (k & 1), 2 * cell.at[1] + (k >> 1 & 1), 2 * cell.at[2] + (k >> 2)}, cell.level + 1};
       if (boxes_meet(Box3{point(half, {0, 0, 0}), point(half, {2, 2, 2})}, box_)) halves.push_back(half);
     }
+    return halves;
   }
 
-  [[nodiscard]] bool is_too_coarse(const Cell& cell) const {
-    if (cell.level >= deepest) return false;
+  // Above 1 the cell is too coarse, the more the larger it is.
+  [[nodiscard]] double need_of(const Cell& cell) const {
+    if (cell.level >= deepest) return 0;
     std::array<double, place_count> sizes{};
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < place_count; ++i) {
@@ -118,12 +131,13 @@ class ViewGrid {
       least = std::min(least, asked);
       sizes[i] = limited(asked);
     }
+    const double from_a_place = length(point(cell, {1, 1, 1}) - point(cell, {0, 0, 0})) / 2;
+    double need = (1 - limited(least - proxy_.slope() * from_a_place) / limited(least)) / most_hidden;
     for (std::size_t i = 0; i < place_count; ++i) {
       const double given = (sizes[places_[i].low_high[0]] + sizes[places_[i].low_high[1]]) / 2;
-      if (!(std::fabs(given - sizes[i]) <= limits_.error * sizes[i])) return true;
+      need = std::max(need, std::fabs(given - sizes[i]) / (limits_.error * sizes[i]));
     }
-    const double from_a_place = length(point(cell, {1, 1, 1}) - point(cell, {0, 0, 0})) / 2;
-    return limited(least - proxy_.slope() * from_a_place) < (1 - most_hidden) * limited(least);
+    return need;
   }
 
   [[nodiscard]] double limited(double size) const { return std::max(proxy_.limits().smallest, std::min(size, proxy_.limits().global)); }

@@ -17,9 +17,9 @@ struct ViewLimits {
 
 /// Tetrahedra that fill a box, with the size at every corner as a float32: a list-based post-processing view, for a file NAME.pos.
 ///
-/// Cubes halved where linear interpolation is off, the largest first, each cut into six. `Merge "NAME.pos"; Background Mesh View[0];`
-/// meshes by it; Mesh.MeshSizeExtendFromBoundary, Mesh.MeshSizeFromPoints and Mesh.MeshSizeFromCurvature want to be 0 then (Gmsh before
-/// 4.9: Mesh.CharacteristicLength...).
+/// Cubes halved where linear interpolation is off, the worst first, each cut into six. `Merge "NAME.pos"; Background
+/// Mesh View[0];` meshes by it; Mesh.MeshSizeExtendFromBoundary, Mesh.MeshSizeFromPoints and Mesh.MeshSizeFromCurvature want to be 0 then
+/// (Gmsh before 4.9: Mesh.CharacteristicLength...).
 ///
 /// @param box  what is to be meshed is in it; may be flat
 /// @throws Error{InvalidArgument} for a box that is empty, a point or not finite, and limits that are not positive
