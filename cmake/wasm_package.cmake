@@ -17,7 +17,8 @@ set(mortise_light_sources
     mesh/corners_to_vertices mesh/drop_faces mesh/extrude_to mesh/fill_planar_holes mesh/find_cells mesh/find_shells mesh/group_by_label mesh/half_space
     mesh/order_round_edge mesh/orient_faces mesh/repair
     mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/split_pinches
-    mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners)
+    mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners
+    size/background_view size/curvature_sources size/graph_sources size/model_sources size/size_source)
 list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
 list(TRANSFORM mortise_light_sources APPEND ".cpp")
 set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Oz)

@@ -92,6 +92,8 @@ export function createAsyncApi(compileFrom, host) {
     writeModel: later('writeModel'),
     /** @type {typeof import('./index.js').gmshProject} */
     gmshProject: later('gmshProject'),
+    /** @type {typeof import('./index.js').sizing} */
+    sizing: later('sizing'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
     /** @type {typeof import('./index.js').cornersToVertices} */

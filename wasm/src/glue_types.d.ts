@@ -72,6 +72,11 @@ export interface Core {
   resultModel(result: { mesh: CheckedMesh; provenance: Provenance }, operands: CheckedModelOperand[], settings: ModelSettings & ResultSettings): Answer<BuiltResultModel>;
   writeModel(model: CheckedModel, attributes: FlatAttribute[], format: string): Answer<Uint8Array>;
   gmshProject(model: CheckedModel, attributes: FlatAttribute[], meshFile: string): Answer<GmshProject>;
+  /** Answers with a number for the functions below. */
+  makeSizing(request: CheckedSizing): Answer<number>;
+  forgetSizing(sizing: number): void;
+  sizesAt(sizing: number, points: Float64Array | Float32Array): Answer<Float64Array>;
+  gmshView(sizing: number, corners: Float64Array): Answer<string>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -108,6 +113,27 @@ export interface CheckedModel {
 }
 
 export type CheckedModelOperand = (CheckedModel & { attributes: FlatAttribute[]; carried: boolean; plane?: undefined }) | { plane: Float64Array };
+
+/** Sources of sizes; `model` is a position in the models they come with. */
+export type CheckedSizeSource = { growth: number; radius: number } & (
+  | { kind: 'plain'; corners: Float64Array; sizes: Float64Array }
+  | { kind: 'graph'; points: Float64Array | Float32Array; edges: Uint32Array; size: number | undefined }
+  | { kind: 'entity'; model: number; entity: number[]; size: number }
+  | { kind: 'edgeCount'; model: number; count: number; smallest: number }
+  | { kind: 'curvature'; model: number; chordError: number | undefined; perTurn: number | undefined; smallest: number; largest: number }
+  | { kind: 'vertexSizes'; mesh: CheckedMesh; sizes: Float64Array }
+  | { kind: 'attributes'; model: number }
+);
+
+export interface CheckedSizeSources {
+  sources: CheckedSizeSource[];
+  models: (CheckedModel & { attributes: FlatAttribute[] })[];
+}
+
+export interface CheckedSizing extends CheckedSizeSources {
+  size: number;
+  smallest: number;
+}
 
 /** `recipe` is what to build it again with, beside the settings it was built with. */
 export interface BuiltModel {

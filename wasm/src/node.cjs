@@ -57,6 +57,7 @@ exports.resultModel = forward('resultModel');
 exports.readModel = forward('readModel');
 exports.writeModel = forward('writeModel');
 exports.gmshProject = forward('gmshProject');
+exports.sizing = forward('sizing');
 exports.slice = forward('slice');
 exports.cornersToVertices = forward('cornersToVertices');
 exports.groupByLabel = forward('groupByLabel');

@@ -30,6 +30,7 @@ export declare const resultModel: typeof mortise.resultModel;
 export declare const readModel: typeof mortise.readModel;
 export declare const writeModel: typeof mortise.writeModel;
 export declare const gmshProject: typeof mortise.gmshProject;
+export declare const sizing: typeof mortise.sizing;
 export declare const slice: typeof mortise.slice;
 export declare const cornersToVertices: typeof mortise.cornersToVertices;
 export declare const groupByLabel: typeof mortise.groupByLabel;

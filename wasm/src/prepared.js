@@ -1,47 +1,29 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Prepared operands: a number in the core, and here what keeps it until nobody needs it.
+// Prepared operands, moved and not.
 // @ts-check
 
 import { invalidArgument } from './errors.js';
+import { Kept } from './kept.js';
 import { checkSteps } from './steps.js';
 
-/** @typedef {import('./sync_api.js').Session} Session */
-/** @typedef {{ session: Session, number: number }} Handle a prepared operand of a core */
+/** @typedef {import('./kept.js').Session} Session */
 
-/** @param {Handle} handle */
-function forget({ session, number }) {
-  if (!session.stopped) session.core.forgetPrepared(number);
-}
-
-/** Frees what a program forgot to dispose of, some time. @type {FinalizationRegistry<Handle>} */
-const forgotten = new FinalizationRegistry(forget);
-
-export class PreparedOperand {
-  /** @type {Handle | undefined} */
-  #handle;
-
+export class PreparedOperand extends Kept {
   /**
-   * @param {Handle} handle
+   * @param {Session} session
+   * @param {number} number
    * @param {import('./glue_types.js').CheckedMesh} mesh
    */
-  constructor(handle, { positions, triangles }) {
-    this.#handle = handle;
+  constructor(session, number, { positions, triangles }) {
+    super({ session, number, forget: 'forgetPrepared' });
     this.vertices = positions.length / 3;
     this.triangles = (triangles ?? positions).length / (triangles === undefined ? 9 : 3);
-    forgotten.register(this, handle, handle);
   }
 
   /** @param {readonly import('./index.js').TransformStep[]} steps */
   at(steps) {
     return new PlacedOperand(this, checkSteps(steps));
-  }
-
-  dispose() {
-    if (this.#handle === undefined) return;
-    forgotten.unregister(this.#handle);
-    forget(this.#handle);
-    this.#handle = undefined;
   }
 
   /**
@@ -51,9 +33,9 @@ export class PreparedOperand {
    * @param {import('./glue_types.js').FlatStep[]} steps
    */
   checkedFor(session, name, steps) {
-    if (this.#handle === undefined) throw invalidArgument(`${name} was disposed of`);
-    if (this.#handle.session !== session) throw invalidArgument(`${name} was prepared by another core, or one that stopped: prepare it again`);
-    return { prepared: this.#handle.number, steps };
+    const handle = this.handleOf(name);
+    if (handle.session !== session) throw invalidArgument(`${name} was prepared by another core, or one that stopped: prepare it again`);
+    return { prepared: handle.number, steps };
   }
 }
 
@@ -68,9 +50,6 @@ export class PlacedOperand {
     this.steps = steps;
   }
 }
-
-// Where there is no Symbol.dispose yet there is no `using` either.
-if (Symbol.dispose !== undefined) Object.defineProperty(PreparedOperand.prototype, Symbol.dispose, { value: PreparedOperand.prototype.dispose });
 
 /**
  * A prepared operand, moved or not, ready to cross into the core; undefined for anything else.

@@ -27,6 +27,7 @@ import { modelFunctions } from './model_functions.js';
 import { placesOf } from './places.js';
 import { PreparedOperand, checkPrepared } from './prepared.js';
 import { checkShape } from './shapes.js';
+import { makeSizing } from './sizing.js';
 import { checkSteps } from './steps.js';
 
 /** @typedef {import('./glue_types.js').Core} Core */
@@ -196,7 +197,7 @@ function implant(session, args) {
 function prepare(session, mesh) {
   const checked = checkMesh(mesh, 'mesh');
   const number = ask(session, (core) => core.prepare(checked), [checked]);
-  return /** @type {any} */ (new PreparedOperand({ session, number }, checked));
+  return /** @type {any} */ (new PreparedOperand(session, number, checked));
 }
 
 /**
@@ -253,5 +254,6 @@ export function createSyncApi(core, host, onStop) {
     ...meshOperations(askCore),
     ...modelFunctions(askCore, files),
     ...fileFunctions(askCore, files),
+    sizing: (options) => makeSizing(session, askCore, options),
   };
 }

@@ -22,7 +22,7 @@ const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
 const names = [
   ...['MeshError', 'combine', 'cornersToVertices', 'extrudeTo', 'gmshProject', 'groupByLabel', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'model', 'partition', 'prepare', 'readMesh', 'readModel', 'repair'],
-  ...['resolve', 'resultModel', 'roundToFloat32', 'slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh', 'writeModel'],
+  ...['resolve', 'resultModel', 'roundToFloat32', 'sizing', 'slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh', 'writeModel'],
 ];
 
 test('import, require and the browser entry export the same names', () => {

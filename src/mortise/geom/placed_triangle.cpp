@@ -14,18 +14,6 @@ Vec3d unit(const Vec3d& v) {
   return size > 0 ? Vec3d{v.x / size, v.y / size, v.z / size} : Vec3d{};
 }
 
-// The corner the longest edge starts from.
-std::uint8_t first_of_longest(const std::array<Vec3d, 3>& p) {
-  std::uint8_t first = 0;
-  double longest = -1;
-  for (std::uint8_t k = 0; k < 3; ++k) {
-    const double size = length(p[(k + 1U) % 3] - p[k]);
-    if (size > longest) first = k;
-    longest = std::max(longest, size);
-  }
-  return first;
-}
-
 // The closest point of the segment from a to b.
 PlanePoint closest_between(const PlanePoint& a, const PlanePoint& b, const PlanePoint& p) {
   const double dx = b.x - a.x, dy = b.y - a.y, square = dx * dx + dy * dy;
@@ -37,10 +25,21 @@ double square_between(const PlanePoint& a, const PlanePoint& b) { return (a.x - 
 
 }  // namespace
 
+std::size_t longest_edge_of(const std::array<Vec3d, 3>& corners) {
+  std::size_t first = 0;
+  double longest = -1;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double size = length(corners[(k + 1) % 3] - corners[k]);
+    if (size > longest) first = k;
+    longest = std::max(longest, size);
+  }
+  return first;
+}
+
 PlacedTriangle place_triangle(const std::array<Vec3d, 3>& corners, std::uint8_t count) {
   PlacedTriangle t;
   t.corner_count = count;
-  t.first = count == 3 ? first_of_longest(corners) : std::uint8_t{0};
+  t.first = count == 3 ? static_cast<std::uint8_t>(longest_edge_of(corners)) : std::uint8_t{0};
   t.origin = corners[t.first];
   if (count == 1) return t;
   const Vec3d along = corners[(t.first + 1U) % 3] - t.origin;

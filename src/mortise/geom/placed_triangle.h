@@ -24,6 +24,9 @@ struct PlacedTriangle {
   std::uint8_t first = 0;         ///< the corner at the origin; the others follow in turn
 };
 
+/// The corner the longest edge of a triangle starts from; of equal ones the first.
+[[nodiscard]] std::size_t longest_edge_of(const std::array<Vec3d, 3>& corners);
+
 /// @param count  1 to 3 of the corners
 [[nodiscard]] PlacedTriangle place_triangle(const std::array<Vec3d, 3>& corners, std::uint8_t count = 3);
 

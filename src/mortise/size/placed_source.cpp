@@ -8,6 +8,8 @@
 namespace mortise {
 namespace {
 
+constexpr double thinnest = 1e-6;
+
 // Values at the corners, then in the middles of edges 01, 12, 20 of a triangle, whatever the order.
 std::array<double, 6> nodal_values(const SizeSource& source) {
   const std::array<double, 6>& s = source.strengths;
@@ -102,6 +104,10 @@ PlacedSource place_source(const SizeSource& source) {
   if (!placed.is_constant && source.corner_count == 2) vary_along_segment(source, placed);
   if (!placed.is_constant && source.corner_count == 3) vary_over_triangle(source, placed);
   return placed;
+}
+
+bool is_too_thin_to_vary(const PlacedSource& source) {
+  return !source.is_constant && source.shape.corner_count == 3 && !(source.shape.apex_y > thinnest * source.shape.length);
 }
 
 double size_from(const PlacedSource& source, const Vec3d& p) {

@@ -21,6 +21,9 @@ struct PlacedSource {
 /// @param source  a checked one
 [[nodiscard]] PlacedSource place_source(const SizeSource& source);
 
+/// Is it a triangle lower than 1e-6 of its longest edge, with a strength that is not constant?
+[[nodiscard]] bool is_too_thin_to_vary(const PlacedSource& source);
+
 /// The size a source asks for at a point.
 [[nodiscard]] double size_from(const PlacedSource& source, const Vec3d& p);
 

@@ -14,14 +14,9 @@ namespace mortise {
 namespace {
 
 constexpr double largest = std::numeric_limits<double>::max();
-constexpr double thinnest = 1e-6;
 
 bool is_finite(double x) { return std::fabs(x) <= largest; }
 bool is_finite(const Vec3d& p) { return is_finite(p.x) && is_finite(p.y) && is_finite(p.z); }
-
-bool is_too_thin(const PlacedSource& placed) {
-  return !placed.is_constant && placed.shape.corner_count == 3 && !(placed.shape.apex_y > thinnest * placed.shape.length);
-}
 
 // Empty when there is none.
 std::string fault_of(const SizeSource& source) {
@@ -35,7 +30,7 @@ std::string fault_of(const SizeSource& source) {
     return "has a size that is not a positive number";
   const PlacedSource placed = place_source(source);
   if (!(placed.least > 0)) return "has sizes that fall below zero between those given";
-  if (is_too_thin(placed)) return "is a triangle without area: its size cannot vary; take segments";
+  if (is_too_thin_to_vary(placed)) return "is a triangle without area: its size cannot vary; take segments";
   return {};
 }
 

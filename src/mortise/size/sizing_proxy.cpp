@@ -71,12 +71,12 @@ double SizingProxy::least_possible(std::uint32_t node, const Vec3d& p) const {
   return (bounds_[node].least + bounds_[node].rate * distance_to(tree_.nodes()[node].box, p)) * (1 - epsilon) - doubt_;
 }
 
-double SizingProxy::size_at(const Vec3d& p) const {
+// The least of a size and those of all sources.
+double SizingProxy::least_below(double size, const Vec3d& p) const {
   struct Entry {
     std::uint32_t node = 0;
     double least = 0;
   };
-  double size = limits_.global;
   std::array<Entry, deepest> stack;
   std::size_t depth = 0;
   if (!tree_.empty()) stack[depth++] = {0, least_possible(0, p)};
@@ -94,8 +94,12 @@ double SizingProxy::size_at(const Vec3d& p) const {
     if (far.least < size) stack[depth++] = far;
     if (near.least < size) stack[depth++] = near;
   }
-  return std::max(size, limits_.smallest);
+  return size;
 }
+
+double SizingProxy::size_at(const Vec3d& p) const { return std::max(least_below(limits_.global, p), limits_.smallest); }
+
+double SizingProxy::least_asked_at(const Vec3d& p) const { return least_below(std::numeric_limits<double>::infinity(), p); }
 
 std::vector<double> SizingProxy::sizes_at(std::span<const Vec3d> points) const {
   std::vector<double> sizes;

@@ -30,6 +30,9 @@ class SizingProxy {
   [[nodiscard]] double size_at(const Vec3d& p) const;
   [[nodiscard]] std::vector<double> sizes_at(std::span<const Vec3d> points) const;
 
+  /// The least that any source asks for, whatever the limits; infinity without sources.
+  [[nodiscard]] double least_asked_at(const Vec3d& p) const;
+
   /// No two sizes differ by more than this times the way between their places: growth - 1, and more where a strength varies.
   [[nodiscard]] double slope() const { return slope_; }
   [[nodiscard]] const SizeLimits& limits() const { return limits_; }
@@ -41,6 +44,7 @@ class SizingProxy {
   };
 
   [[nodiscard]] Bound bound_below(std::size_t node, std::span<const SizeSource> sources);
+  [[nodiscard]] double least_below(double size, const Vec3d& p) const;
   [[nodiscard]] double least_possible(std::uint32_t node, const Vec3d& p) const;
 
   SizeLimits limits_;

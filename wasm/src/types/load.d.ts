@@ -9,6 +9,7 @@ import type { GroupedMesh, MeshPart, PinchFreeMesh, RepairSteps, RepairedMesh, S
 import type { GmshProject, Model, ModelFormat, ModelOperand, ModelOptions, ResultModel, ResultModelOptions } from './models.js';
 import type { MeshOperand, Operand, PreparedOperand } from './operands.js';
 import type { Report } from './report.js';
+import type { Sizing, SizingOptions } from './sizing.js';
 
 /** Overrides for where the core comes from; only the call that starts it looks at them. */
 export interface LoadOptions {
@@ -61,6 +62,7 @@ export interface Mortise {
   writeModel(path: string | URL, model: Model<MeshInput>, options?: { format?: ModelFormat }): void;
   writeModel(model: Model<MeshInput>, options: { format: ModelFormat }): Uint8Array;
   gmshProject(model: Model<MeshInput>, options: { meshFile: string }): GmshProject;
+  sizing(options: SizingOptions): Sizing;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;
   groupByLabel(mesh: MeshInput): GroupedMesh;

@@ -3,9 +3,9 @@
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
 import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, prepare, readMesh, readModel, repair } from 'mortise';
-import { resolve, resultModel, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
+import { resolve, resultModel, sizing, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
 import type { Attribute, AttributePolicy, BooleanResult, DataChannel, EntityPart, EntitySource, ImprintResult, Mesh, MeshErrorCode, MeshInput, Model, ModelEntity, Mortise } from 'mortise';
-import type { PreparedOperand, Report, ResultModel, TransformStep } from 'mortise';
+import type { PreparedOperand, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -95,6 +95,15 @@ await writeModel('ship.msh', ship);
 const shipBytes: Uint8Array = await writeModel(ship, { format: 'vtu' });
 const shipBack: Model = await readModel(shipBytes, { format: 'vtu', faceAngle: 30 });
 const script: string = (await gmshProject(shipBack, { meshFile: 'ship.msh' })).script;
+const wanted: SizeSource[] = [{ type: 'point', at: [0, 0, 0], size: 0.1 }, { model: shipBack, entity: { dimension: 'edge', id: 0 }, size: 0.2, growth: 1.3 }, { mesh: box, sizes: (x) => 1 + x }];
+const sizes: Sizing = await sizing({ size: 1, model: shipBack, sources: [...wanted, { type: 'segments', from: (await union(box, box)).graph, size: 0.01, growth: 1.2 }, { curvature: { perTurn: 16 } }] });
+export const one: number = sizes.sizeAt([0, 0, 0]);
+export const many: Float64Array = sizes.sizeAt(box.positions);
+export const view: string = sizes.toGmshView({ min: [0, 0, 0], max: [1, 1, 1] });
+// @ts-expect-error a point has one size
+await sizing({ size: 1, sources: [{ type: 'point', at: [0, 0, 0], size: [1, 2] }] });
+// @ts-expect-error there is always a size
+await sizing({ sources: [] });
 // @ts-expect-error a mesh is no model
 await writeModel(box, { format: 'msh' });
 // @ts-expect-error the format keeps no models
