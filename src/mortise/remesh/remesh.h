@@ -33,7 +33,9 @@ struct RemeshResult {
 /// How many triangles of these sizes the mesh takes: the integral of 2.31 / h^2 over the surface, to a few per cent.
 [[nodiscard]] double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes);
 
-/// Every vertex stays on its model entity, every new one lies on one; model vertices stay as they are.
+/// Every vertex stays on its model entity, every new one lies on one; model vertices stay as they are. Angles come out above 30 degrees but
+/// where model edges meet at small angles or lie closer together than the size. Faces closer than the size may come to cross: see
+/// find_self_crossings.
 ///
 /// @param model  of the mesh, made without seams
 /// @param normals  as in build_brep
