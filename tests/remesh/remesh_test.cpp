@@ -10,6 +10,7 @@
 #include "mortise/base/error.h"
 #include "mortise/boolean/evaluate_boolean.h"
 #include "mortise/brep/build_brep.h"
+#include "mortise/brep/result_features.h"
 #include "mortise/brep/validate_brep.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/find_self_crossings.h"
@@ -164,6 +165,55 @@ TEST_CASE("walls between regions are meshed once, with the edges where three fac
   CHECK(find_boundary_edges(build_topology(result.mesh)).empty());
 }
 
+TEST_CASE("only layers round the intersection graph change, all else stays byte for byte", "[remesh]") {
+  std::vector<SurfaceMesh> operands{make_torus(2, 0.7, 80, 40), make_cylinder(0.3, 4, 24)};
+  for (Vec3d& p : operands[1].points) p = p + Vec3d{2, 0.1, -2};
+  const BooleanResult united = evaluate_boolean(Operation::Union, pointers_to(operands));
+  const ModelScene scene = scene_of(Operation::Union, operands);
+  const auto graph = find_graph_edges(united.mesh, united.provenance);
+  const SizingProxy sizes({}, {.global = 0.08});
+  RemeshRules rules;
+  rules.zone = layers_round(scene.mesh, graph, 4);
+  const RemeshResult result = remesh(scene.mesh, scene.model, scene.normals, sizes, rules);
+  CHECK(find_faults(result.mesh, {scene.model.brep, result.classification}).empty());
+
+  using Corners = std::array<std::array<double, 3>, 3>;
+  const auto corners_of = [](const SurfaceMesh& mesh, std::size_t t) {
+    Corners corners{};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const Vec3d& p = mesh.points[mesh.triangles[t][k].index()];
+      corners[k] = {p.x, p.y, p.z};
+    }
+    return corners;
+  };
+  std::vector<Corners> after;
+  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) after.push_back(corners_of(result.mesh, t));
+  std::sort(after.begin(), after.end());
+  std::size_t outside = 0, lost = 0;
+  for (std::size_t t = 0; t < scene.mesh.triangles.size(); ++t) {
+    if (rules.zone[t] != 0) continue;
+    ++outside;
+    lost += std::binary_search(after.begin(), after.end(), corners_of(scene.mesh, t)) ? 0 : 1;
+  }
+  CHECK(outside > 4000);
+  CHECK(lost == 0);
+
+  // Inside, away from triangles that stay, sizes and angles are those asked for.
+  SurfaceMesh zone = result.mesh;
+  zone.triangles.clear();
+  for (const Triangle& t : result.mesh.triangles) {
+    const bool is_near = std::all_of(t.begin(), t.end(), [&](VertexId v) {
+      const Vec3d& p = result.mesh.points[v.index()];
+      return std::any_of(graph.begin(), graph.end(),
+                         [&](const auto& ends) { return length(p - scene.mesh.points[ends[0].index()]) < 0.1; });
+    });
+    if (is_near) zone.triangles.push_back(t);
+  }
+  CHECK(zone.triangles.size() > 150);
+  CHECK(measure(zone, sizes).least_angle > 30);
+  CHECK(measure(scene.mesh, sizes).least_angle < 1);
+}
+
 TEST_CASE("a sheet keeps its border", "[remesh]") {
   SurfaceMesh sheet;
   sheet.points = {{0, 0, 0}, {3, 0, 0}, {3, 1, 0}, {0, 1, 0}, {0, 1, 2}, {3, 1, 2}};
@@ -208,12 +258,15 @@ TEST_CASE("rules and sizes without a meaning are refused, and a count out of bou
     return ErrorCode::InternalError;
   };
   const SizingProxy sizes({}, {.global = 0.2}), tiny({}, {.global = 1e-5});
-  RemeshRules cancelling, narrow, unknown;
+  RemeshRules cancelling, narrow, unknown, elsewhere;
+  elsewhere.zone = {1, 0};
   narrow.shortest = 2;
   unknown.longest = std::numeric_limits<double>::quiet_NaN();
   CHECK(code_of(scene, tiny, {}) == ErrorCode::ResultTooLarge);
   CHECK(code_of(scene, sizes, narrow) == ErrorCode::InvalidArgument);
   CHECK(code_of(scene, sizes, unknown) == ErrorCode::InvalidArgument);
+  CHECK(code_of(scene, sizes, elsewhere) == ErrorCode::InvalidArgument);
+  CHECK_THROWS_AS(layers_round(scene.mesh, {{VertexId(0), VertexId(99)}}, 1), Error);
   cancelling.progress = [](std::string_view, double fraction) { return fraction < 0.2; };
   CHECK(code_of(scene, sizes, cancelling) == ErrorCode::Cancelled);
   const SurfaceMesh tube = make_cylinder(1, 1, 24);

@@ -29,7 +29,7 @@ struct WorstTriangle {
 std::vector<WorstTriangle> worst_triangles(const WorkingMesh& w, double limit) {
   std::vector<WorstTriangle> worst;
   for (std::size_t t = 0; t < w.mesh.triangle_count(); ++t) {
-    if (!w.mesh.has(FaceId(t))) continue;
+    if (!w.mesh.has(FaceId(t)) || !w.may_change(FaceId(t))) continue;
     const double cosine = sharpest(w, FaceId(t));
     if (cosine > limit) worst.push_back({cosine, FaceId(t)});
   }
@@ -100,7 +100,7 @@ bool try_collapse(WorkingMesh& w, FaceId t, double longest) {
 
 // Tries steps towards and away from its neighbours that make the sharpest corner round a vertex duller.
 bool try_move(WorkingMesh& w, VertexId v) {
-  if (!w.mesh.is_inside_face(v)) return false;
+  if (!w.mesh.is_inside_face(v) || !w.may_move(v)) return false;
   const Vec3d from = at(w, v);
   const ModelFaceId face(w.mesh.entity(v).id);
   std::uint32_t near = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "mortise/remesh/remesh.h"
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -40,7 +41,9 @@ double count_on(const Triangle& t, const std::vector<Vec3d>& points, const Sizin
   return sum;
 }
 
-void check_rules(const ClassifiedBrep& model, const RemeshRules& rules) {
+void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const RemeshRules& rules) {
+  if (!rules.zone.empty() && rules.zone.size() != mesh.triangles.size())
+    throw Error(ErrorCode::InvalidArgument, "remesh", "the zone has " + std::to_string(rules.zone.size()) + " marks, not one per triangle");
   const bool is_fine = rules.shortest > 0 && rules.longest > rules.shortest && rules.longest < 1e3 && rules.worst_angle_deg >= 0 &&
                        rules.worst_angle_deg < 60;
   if (!is_fine) throw Error(ErrorCode::InvalidArgument, "remesh", "rules need 0 < shortest < longest < 1000 and 0 <= worst_angle_deg < 60");
@@ -51,7 +54,11 @@ void check_rules(const ClassifiedBrep& model, const RemeshRules& rules) {
 }
 
 void refuse_too_many(const SurfaceMesh& mesh, const SizingProxy& sizes, const RemeshRules& rules) {
-  const double count = predict_triangle_count(mesh, sizes);
+  double count = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const bool stays = !rules.zone.empty() && rules.zone[t] == 0;
+    count += stays ? 1 : count_on(mesh.triangles[t], mesh.points, sizes);
+  }
   if (count <= rules.most_triangles) return;
   throw Error(ErrorCode::ResultTooLarge, "remesh",
               "the sizes ask for about " + std::to_string(static_cast<std::uint64_t>(std::min(count, 1e18))) + " triangles, more than " +
@@ -114,6 +121,30 @@ RemeshResult compact(const WorkingMesh& w, const SurfaceMesh& given) {
 
 }  // namespace
 
+std::vector<std::uint8_t> layers_round(const SurfaceMesh& mesh, const std::vector<std::array<VertexId, 2>>& edges, std::uint32_t layers) {
+  std::vector<std::uint8_t> is_reached(mesh.points.size(), 0), zone(mesh.triangles.size(), 0);
+  for (const std::array<VertexId, 2>& ends : edges) {
+    for (const VertexId v : ends) {
+      if (v.index() >= mesh.points.size())
+        throw Error(ErrorCode::InvalidArgument, "layers_round",
+                    "an edge ends at vertex " + std::to_string(v.value) + ", which is not there");
+      is_reached[v.index()] = 1;
+    }
+  }
+  for (std::uint32_t layer = 0; layer < layers; ++layer) {
+    std::vector<VertexId> next;
+    for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+      const Triangle& corners = mesh.triangles[t];
+      const bool touches = std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return is_reached[v.index()] != 0; });
+      if (zone[t] != 0 || !touches) continue;
+      zone[t] = 1;
+      next.insert(next.end(), corners.begin(), corners.end());
+    }
+    for (const VertexId v : next) is_reached[v.index()] = 1;
+  }
+  return zone;
+}
+
 double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes) {
   double sum = 0;
   for (const Triangle& t : mesh.triangles) sum += count_on(t, mesh.points, sizes);
@@ -122,9 +153,9 @@ double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes)
 
 RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizes,
                     const RemeshRules& rules) {
-  check_rules(model, rules);
+  check_rules(mesh, model, rules);
   refuse_too_many(mesh, sizes, rules);
-  WorkingMesh working(mesh, model, normals, sizes);
+  WorkingMesh working(mesh, model, normals, sizes, rules.zone);
   change_mesh(working, rules);
   return compact(working, mesh);
 }

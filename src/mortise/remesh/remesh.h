@@ -3,6 +3,7 @@
 // A mesh of the size wanted on the same model: model edges first, then faces, by splits, collapses, swaps and moves (paper 7.4, step 16).
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct RemeshRules {
   std::uint32_t last_rounds = 10;  ///< on the worst triangles
   double worst_angle_deg = 34;     ///< those with an angle below this
   double most_triangles = 2e7;     ///< a size that asks for more is refused
+  std::vector<std::uint8_t> zone;  ///< empty, or per triangle: 1 when it may change; all others stay as they are, byte for byte
   ProgressCallback progress;
 };
 
@@ -29,6 +31,11 @@ struct RemeshResult {
   Classification classification;
   std::vector<FaceId> sources;  ///< per triangle: the triangle of the given mesh its middle is closest to
 };
+
+/// Triangles in so many layers round mesh edges: those that touch one, those that touch one of these, and so on; a zone for RemeshRules.
+/// @throws Error{InvalidArgument} for an edge with an end that is no vertex
+[[nodiscard]] std::vector<std::uint8_t> layers_round(const SurfaceMesh& mesh, const std::vector<std::array<VertexId, 2>>& edges,
+                                                     std::uint32_t layers);
 
 /// How many triangles of these sizes the mesh takes: the integral of 2.31 / h^2 over the surface, to a few per cent.
 [[nodiscard]] double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes);

@@ -44,9 +44,9 @@ struct ChainMeasure {
 };
 
 ChainMeasure measure(const WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
-  ChainMeasure m{{0}, {0}};
+  ChainMeasure m{{w.mesh.is_inside_edge(chain[0]) ? w.arcs[chain[0].index()] : 0}, {0}};
   for (std::size_t k = 1; k < chain.size(); ++k) {
-    m.arcs.push_back(k + 1 == chain.size() ? w.reference.length(edge) : w.arcs[chain[k].index()]);
+    m.arcs.push_back(w.mesh.is_inside_edge(chain[k]) ? w.arcs[chain[k].index()] : w.reference.length(edge));
     m.metric.push_back(m.metric.back() + metric_length(w, chain[k - 1], chain[k]));
   }
   return m;
@@ -127,20 +127,36 @@ void space_evenly(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
   }
 }
 
+// Between ends that stay.
+void resample(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
+  const ChainMeasure given = measure(w, edge, chain);
+  const std::size_t count = step_count(given.metric.back(), chain.front() == chain.back());
+  const Chain fewer = collapse_steps(w, edge, chain, places_of(given, count));
+  const ChainMeasure measured = measure(w, edge, fewer);
+  const Chain even = split_steps(w, edge, fewer, measured, places_of(measured, count));
+  for (int k = 0; k < sweeps; ++k) space_evenly(w, edge, even);
+  split_long_steps(w, edge, even);
+}
+
+// The parts of a chain between vertices that may not move, but those along triangles that may not change.
+std::vector<Chain> parts_in_zone(const WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
+  std::vector<Chain> parts;
+  Chain part;
+  for (const VertexId v : chain) {
+    part.push_back(v);
+    if (part.size() == 1 || (w.may_move(v) && v != chain.back())) continue;
+    if (part.size() > 2 || may_split(w, find_step(w, part[0], part[1], edge))) parts.push_back(part);
+    part = {v};
+  }
+  return parts;
+}
+
 }  // namespace
 
 void resample_model_edges(WorkingMesh& w) {
   const IdVector<ModelEdgeId, Chain> chains = trace_chains(w);
   for (std::size_t e = 0; e < chains.size(); ++e) {
-    const ModelEdgeId edge(e);
-    if (chains[edge].size() < 2) continue;
-    const ChainMeasure given = measure(w, edge, chains[edge]);
-    const std::size_t count = step_count(given.metric.back(), w.brep.edges[edge].start == w.brep.edges[edge].end);
-    const Chain fewer = collapse_steps(w, edge, chains[edge], places_of(given, count));
-    const ChainMeasure measured = measure(w, edge, fewer);
-    const Chain even = split_steps(w, edge, fewer, measured, places_of(measured, count));
-    for (int k = 0; k < sweeps; ++k) space_evenly(w, edge, even);
-    split_long_steps(w, edge, even);
+    for (const Chain& part : parts_in_zone(w, ModelEdgeId(e), chains[ModelEdgeId(e)])) resample(w, ModelEdgeId(e), part);
   }
 }
 

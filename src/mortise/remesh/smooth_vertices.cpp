@@ -44,7 +44,7 @@ Vec3d wanted_place(const WorkingMesh& w, VertexId v) {
 void smooth_vertices(WorkingMesh& w, double good_enough) {
   for (std::size_t i = 0; i < w.mesh.vertex_count(); ++i) {
     const VertexId v(i);
-    if (!w.mesh.has(v) || !w.mesh.is_inside_face(v)) continue;
+    if (!w.mesh.has(v) || !w.mesh.is_inside_face(v) || !w.may_move(v)) continue;
     const Vec3d from = w.mesh.points[i], to = wanted_place(w, v);
     const ModelFaceId face(w.mesh.entity(v).id);
     std::uint32_t near = 0;
@@ -60,7 +60,7 @@ void smooth_vertices(WorkingMesh& w, double good_enough) {
 void settle_on_reference(WorkingMesh& w) {
   for (std::size_t i = 0; i < w.mesh.triangle_count(); ++i) {
     const FaceId t(i);
-    if (!w.mesh.has(t)) continue;
+    if (!w.mesh.has(t) || !w.may_change(t)) continue;
     const auto [a, b, c] = w.mesh.triangle(t);
     const Vec3d middle = 1.0 / 3 * (w.mesh.points[a.index()] + w.mesh.points[b.index()] + w.mesh.points[c.index()]);
     w.mesh.references[i] = w.reference.locate(w.mesh.face(t), middle, w.mesh.references[i]).triangle;

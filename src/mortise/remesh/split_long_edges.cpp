@@ -40,7 +40,7 @@ class EdgeSplitter {
 
  private:
   void push(HalfEdge h) {
-    if (w_.mesh.is_on_model_edge(h)) return;
+    if (w_.mesh.is_on_model_edge(h) || !may_split(w_, h)) return;
     const double length = metric_length(w_, h);
     if (length > longest_) queue_.push({length, h, w_.mesh.origin(h), w_.mesh.target(h)});
   }

@@ -49,7 +49,8 @@ bool faces_alike(const Shape& now, const Shape& before, const Vec3d& reference) 
 
 }  // namespace
 
-WorkingMesh::WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizing)
+WorkingMesh::WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizing,
+                         const std::vector<std::uint8_t>& zone)
     : mesh(given, model),
       reference(given, model, normals),
       brep(model.brep),
@@ -60,6 +61,20 @@ WorkingMesh::WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, 
     const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
     for (std::size_t k = 1; k + 1 < path.size(); ++k) arcs[path[k].index()] = reference.arcs(ModelEdgeId(e))[k];
   }
+  if (zone.empty()) return;
+  is_frozen.assign(given.triangles.size(), 0);
+  is_fixed.assign(given.points.size(), 0);
+  for (std::size_t t = 0; t < zone.size(); ++t) {
+    if (zone[t] != 0) continue;
+    is_frozen[t] = 1;
+    for (const VertexId v : given.triangles[t]) is_fixed[v.index()] = 1;
+  }
+}
+
+bool may_split(const WorkingMesh& w, HalfEdge h) {
+  bool may = true;
+  w.mesh.for_each_use(h, [&](HalfEdge u) { may = may && w.may_change(face_of(u)); });
+  return may;
 }
 
 double metric_length(const WorkingMesh& w, VertexId a, VertexId b) {
@@ -124,6 +139,7 @@ VertexId split_at_arc(WorkingMesh& w, HalfEdge h, double arc) { return split(w, 
 
 bool is_swap_fit(const WorkingMesh& w, HalfEdge h) {
   const HalfEdge t = w.mesh.opposite(h);
+  if (!may_split(w, h)) return false;
   const VertexId c_id = w.mesh.apex(h), d_id = w.mesh.apex(t);
   const Vec3d &a = at(w, w.mesh.origin(h)), &b = at(w, w.mesh.target(h)), &c = at(w, c_id), &d = at(w, d_id);
   const Shape one = shape_of(w, h), other = shape_of(w, t);
@@ -148,7 +164,7 @@ bool swap_lowers_angle(const WorkingMesh& w, HalfEdge h) {
 }
 
 bool is_collapse_fit(const WorkingMesh& w, HalfEdge h, VertexId gone, double longest) {
-  if (!w.mesh.can_collapse(h, gone)) return false;
+  if (!w.may_move(gone) || !w.mesh.can_collapse(h, gone)) return false;
   const VertexId a = gone, b = w.mesh.other_end(h, gone);
   bool is_fit = true;
   w.mesh.for_each_neighbour(a, [&](VertexId x) { is_fit = is_fit && (x == b || metric_length(w, b, x) <= longest); });

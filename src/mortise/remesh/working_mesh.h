@@ -3,6 +3,7 @@
 // What the passes of the remesher share: the mesh under change, the one it came from, the sizes wanted, and what changes are fit.
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "mortise/remesh/edit_mesh.h"
@@ -13,7 +14,9 @@ namespace mortise {
 
 /// Every vertex on the entity it had, every new one put on one.
 struct WorkingMesh {
-  WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizing);
+  /// @param zone  per triangle: 1 when it may change; empty: all may
+  WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizing,
+              const std::vector<std::uint8_t>& zone);
 
   EditMesh mesh;
   ReferenceSurface reference;
@@ -21,7 +24,16 @@ struct WorkingMesh {
   const SizingProxy& proxy;
   std::vector<double> sizes;  ///< per vertex: the size wanted there
   std::vector<double> arcs;   ///< per vertex inside a model edge: the length from its start
+
+  std::vector<std::uint8_t> is_frozen;  ///< per triangle of the given mesh: outside the zone; no new one ever is
+  std::vector<std::uint8_t> is_fixed;   ///< per vertex of the given mesh: of a frozen triangle
+
+  [[nodiscard]] bool may_change(FaceId t) const { return t.index() >= is_frozen.size() || is_frozen[t.index()] == 0; }
+  [[nodiscard]] bool may_move(VertexId v) const { return v.index() >= is_fixed.size() || is_fixed[v.index()] == 0; }
 };
+
+/// May all triangles of an edge change?
+[[nodiscard]] bool may_split(const WorkingMesh& w, HalfEdge h);
 
 /// Length of an edge in units of the size wanted along it (the integral of 1 / h for sizes that vary linearly, by Simpson's rule).
 [[nodiscard]] double metric_length(const WorkingMesh& w, VertexId a, VertexId b);
