@@ -3,28 +3,60 @@
 #include "mortise/remesh/model_edge_chains.h"
 
 #include <algorithm>
-#include <array>
 
 namespace mortise {
 namespace {}  // namespace
 
-IdVector<ModelEdgeId, std::vector<VertexId>> trace_chains(const WorkingMesh& w) {
-  const std::size_t edge_count = w.brep.edges.size();
-  std::vector<std::vector<std::array<VertexId, 2>>> steps(edge_count);
+namespace {
+
+/// A mesh edge on a model edge, seen from one of its ends.
+struct Step {
+  VertexId from, to;
+
+  auto operator<=>(const Step&) const = default;
+};
+
+// Every mesh edge of a model edge, from both ends, sorted.
+std::vector<std::vector<Step>> steps_of(const WorkingMesh& w) {
+  std::vector<std::vector<Step>> steps(w.brep.edges.size());
   for (HalfEdge h = 0; h < w.mesh.half_edge_count(); ++h) {
-    if (w.mesh.has(h) && w.mesh.is_on_model_edge(h) && stands_for_edge(w.mesh, h)) {
-      const ArcRange range = arcs_of(w, h);
-      const std::array<VertexId, 2> ends{w.mesh.origin(h), w.mesh.target(h)};
-      steps[w.mesh.model_edge(h).index()].push_back(range.origin <= range.target ? ends : std::array{ends[1], ends[0]});
-    }
+    if (!w.mesh.has(h) || !w.mesh.is_on_model_edge(h) || !stands_for_edge(w.mesh, h)) continue;
+    std::vector<Step>& on = steps[w.mesh.model_edge(h).index()];
+    on.push_back({w.mesh.origin(h), w.mesh.target(h)});
+    on.push_back({w.mesh.target(h), w.mesh.origin(h)});
   }
-  IdVector<ModelEdgeId, std::vector<VertexId>> chains(edge_count);
-  for (std::size_t e = 0; e < edge_count; ++e) {
-    const auto arc_of = [&](VertexId v) { return w.mesh.is_inside_edge(v) ? w.arcs[v.index()] : 0; };
-    std::sort(steps[e].begin(), steps[e].end(), [&](const auto& a, const auto& b) { return arc_of(a[0]) < arc_of(b[0]); });
-    std::vector<VertexId>& chain = chains[ModelEdgeId(e)];
-    for (const auto& step : steps[e]) chain.push_back(step[0]);
-    if (!steps[e].empty()) chain.push_back(steps[e].back()[1]);
+  for (std::vector<Step>& on : steps) std::sort(on.begin(), on.end());
+  return steps;
+}
+
+// Vertex by vertex from a model vertex. A closed edge sets out towards the lower arc.
+std::vector<VertexId> walk(const WorkingMesh& w, const std::vector<Step>& steps, VertexId start) {
+  const auto from = [&](VertexId v) {
+    return std::equal_range(steps.begin(), steps.end(), Step{v, {}}, [](const Step& a, const Step& b) { return a.from < b.from; });
+  };
+  const auto [first, end] = from(start);
+  const auto arc_of = [&](const Step& step) { return w.arcs[step.to.index()]; };
+  const bool is_closed = end - first == 2;
+  std::vector<VertexId> chain{start, (is_closed && arc_of(first[1]) < arc_of(first[0]) ? first[1] : first[0]).to};
+  while (2 * (chain.size() - 1) < steps.size()) {
+    const auto here = from(chain.back()).first;
+    chain.push_back(here[0].to == chain[chain.size() - 2] ? here[1].to : here[0].to);
+  }
+  return chain;
+}
+
+}  // namespace
+
+IdVector<ModelEdgeId, std::vector<VertexId>> trace_chains(const WorkingMesh& w) {
+  const std::vector<std::vector<Step>> steps = steps_of(w);
+  std::vector<VertexId> vertex_of(w.brep.vertex_count);
+  for (std::size_t v = 0; v < w.mesh.vertex_count(); ++v) {
+    const ModelEntity& entity = w.mesh.entity(VertexId(v));
+    if (entity.dimension == EntityDimension::Vertex) vertex_of[entity.id] = VertexId(v);
+  }
+  IdVector<ModelEdgeId, std::vector<VertexId>> chains(steps.size());
+  for (std::size_t e = 0; e < steps.size(); ++e) {
+    if (!steps[e].empty()) chains[ModelEdgeId(e)] = walk(w, steps[e], vertex_of[w.brep.edges[ModelEdgeId(e)].start.index()]);
   }
   return chains;
 }

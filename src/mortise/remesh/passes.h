@@ -14,7 +14,8 @@ void resample_model_edges(WorkingMesh& w);
 
 /// Splits edges inside faces that are longer than this in units of the size, the longest first; after each split, edges opposite to the
 /// new vertex are swapped where that lowers the largest angle.
-void split_long_edges(WorkingMesh& w, double longest);
+/// @param most_new  triangles made before it stops: needles too thin for any swap would be cut into pieces as short as they are wide
+void split_long_edges(WorkingMesh& w, double longest, double most_new);
 
 /// Collapses edges inside faces shorter than this, the shortest first, where that makes none longer than `longest`.
 void collapse_short_edges(WorkingMesh& w, double shortest, double longest);

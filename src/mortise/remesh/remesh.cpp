@@ -15,6 +15,7 @@ namespace mortise {
 namespace {
 
 constexpr int sweeps = 3;                                   // of moves per round
+constexpr double splits_allowed = 4;                        // over the count foretold, per round
 constexpr double good_enough = 0.75;                        // a mean ratio, about 26 degrees
 constexpr double triangles_per_square = 2.309401076758503;  // 4 / sqrt(3): equilateral ones of edge 1 on area 1
 
@@ -53,19 +54,21 @@ void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const Rem
   }
 }
 
-void refuse_too_many(const SurfaceMesh& mesh, const SizingProxy& sizes, const RemeshRules& rules) {
+// Or refuses.
+double foretell_count(const SurfaceMesh& mesh, const SizingProxy& sizes, const RemeshRules& rules) {
   double count = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const bool stays = !rules.zone.empty() && rules.zone[t] == 0;
     count += stays ? 1 : count_on(mesh.triangles[t], mesh.points, sizes);
   }
-  if (count <= rules.most_triangles) return;
+  if (count <= rules.most_triangles) return count;
   throw Error(ErrorCode::ResultTooLarge, "remesh",
               "the sizes ask for about " + std::to_string(static_cast<std::uint64_t>(std::min(count, 1e18))) + " triangles, more than " +
                   std::to_string(static_cast<std::uint64_t>(rules.most_triangles)));
 }
 
-void change_mesh(WorkingMesh& w, const RemeshRules& rules) {
+void change_mesh(WorkingMesh& w, const RemeshRules& rules, double foretold) {
+  const double most_new = splits_allowed * foretold + 1000;
   const double all = rules.rounds + rules.last_rounds + 1;
   for (std::uint32_t round = 0; round < rules.rounds; ++round) {
     report_progress(rules.progress, "remesh", round / all);
@@ -73,7 +76,7 @@ void change_mesh(WorkingMesh& w, const RemeshRules& rules) {
     resample_model_edges(w);
     collapse_short_edges(w, rules.shortest, rules.longest);
     swap_edges(w);
-    split_long_edges(w, rules.longest);
+    split_long_edges(w, rules.longest, most_new);
     collapse_short_edges(w, rules.shortest, rules.longest);
     swap_edges(w);
     for (int k = 0; k < sweeps; ++k) smooth_vertices(w, good_enough);
@@ -154,9 +157,9 @@ double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes)
 RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizes,
                     const RemeshRules& rules) {
   check_rules(mesh, model, rules);
-  refuse_too_many(mesh, sizes, rules);
+  const double foretold = foretell_count(mesh, sizes, rules);
   WorkingMesh working(mesh, model, normals, sizes, rules.zone);
-  change_mesh(working, rules);
+  change_mesh(working, rules, foretold);
   return compact(working, mesh);
 }
 

@@ -23,13 +23,13 @@ struct QueuedEdge {
 
 class EdgeSplitter {
  public:
-  EdgeSplitter(WorkingMesh& w, double longest) : w_(w), longest_(longest) {}
+  EdgeSplitter(WorkingMesh& w, double longest, double most_new) : w_(w), longest_(longest), left_(most_new) {}
 
   void run() {
     for (HalfEdge h = 0; h < w_.mesh.half_edge_count(); ++h) {
       if (w_.mesh.has(h) && stands_for_edge(w_.mesh, h)) push(h);
     }
-    while (!queue_.empty()) {
+    while (!queue_.empty() && left_ > 0) {
       const QueuedEdge next = queue_.top();
       queue_.pop();
       const HalfEdge h = next.half_edge;
@@ -66,6 +66,7 @@ class EdgeSplitter {
   }
 
   void split(HalfEdge h) {
+    left_ -= 2;
     const VertexId m = split_at_middle(w_, h);
     std::vector<HalfEdge> leaving;
     w_.mesh.for_each_leaving(m, [&](HalfEdge g) { leaving.push_back(g); });
@@ -84,12 +85,12 @@ class EdgeSplitter {
   }
 
   WorkingMesh& w_;
-  double longest_;
+  double longest_, left_;  // left_: triangles that may still be made
   std::priority_queue<QueuedEdge> queue_;
 };
 
 }  // namespace
 
-void split_long_edges(WorkingMesh& w, double longest) { EdgeSplitter(w, longest).run(); }
+void split_long_edges(WorkingMesh& w, double longest, double most_new) { EdgeSplitter(w, longest, most_new).run(); }
 
 }  // namespace mortise

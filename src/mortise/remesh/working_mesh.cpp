@@ -13,10 +13,10 @@ namespace {
 
 constexpr double cosine_of_30 = 0.8660254037844386, cosine_of_45 = 0.7071067811865476, cosine_of_25 = 0.9063077870366499;
 constexpr double good_enough = 0.3;  // a collapse may leave triangles of this mean ratio
-constexpr double is_flat = 1e-6;     // a triangle of a lower mean ratio must not be made: which way it faces is chance
+constexpr double is_flat = 1e-9;     // a triangle of a lower mean ratio must not be made: which way it faces is chance
 constexpr double has_normal = 1e-3;  // below this mean ratio the normal of a triangle is noise
 constexpr double stray_of_swap = 0.1, stray_of_collapse = 0.25;  // from the reference, in units of the size
-constexpr double least_gain = 1e-9;                              // of a cosine: swaps must end
+constexpr double least_gain = 1e-13;                             // of a cosine: swaps must end
 
 const Vec3d& at(const WorkingMesh& w, VertexId v) { return w.mesh.points[v.index()]; }
 
@@ -86,23 +86,6 @@ bool stands_for_edge(const EditMesh& mesh, HalfEdge h) {
   bool is_lowest = true;
   mesh.for_each_use(h, [&](HalfEdge u) { is_lowest = is_lowest && h <= u; });
   return is_lowest;
-}
-
-ArcRange arcs_of(const WorkingMesh& w, HalfEdge h) {
-  const ModelEdgeId edge = w.mesh.model_edge(h);
-  const VertexId a = w.mesh.origin(h), b = w.mesh.target(h);
-  const bool a_inside = w.mesh.is_inside_edge(a), b_inside = w.mesh.is_inside_edge(b);
-  const double whole = w.reference.length(edge);
-  // A fixed end is where the other end is not: no step of a closed edge is longer than half of it.
-  const auto fixed_arc = [&](VertexId fixed, double other) {
-    const ModelEdge& on = w.brep.edges[edge];
-    if (on.start == on.end) return other <= whole / 2 ? 0.0 : whole;
-    return w.mesh.entity(fixed).id == on.start.value ? 0.0 : whole;
-  };
-  if (a_inside && b_inside) return {w.arcs[a.index()], w.arcs[b.index()]};
-  if (a_inside) return {w.arcs[a.index()], fixed_arc(b, w.arcs[a.index()])};
-  if (b_inside) return {fixed_arc(a, w.arcs[b.index()]), w.arcs[b.index()]};
-  return {fixed_arc(a, 0), fixed_arc(b, whole)};
 }
 
 namespace {

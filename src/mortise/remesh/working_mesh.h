@@ -42,12 +42,6 @@ struct WorkingMesh {
 /// One of the half-edges of every mesh edge, always the same: the lowest.
 [[nodiscard]] bool stands_for_edge(const EditMesh& mesh, HalfEdge h);
 
-/// Where the ends of a half-edge on a model edge are on it.
-struct ArcRange {
-  double origin = 0, target = 0;
-};
-[[nodiscard]] ArcRange arcs_of(const WorkingMesh& w, HalfEdge h);
-
 /// Splits an edge inside a face at the place of the face closest to its middle, or at the middle where a triangle would turn over.
 VertexId split_at_middle(WorkingMesh& w, HalfEdge h);
 /// Splits an edge on a model edge at this length along it.
