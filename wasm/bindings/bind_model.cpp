@@ -26,17 +26,6 @@ namespace {
 
 using emscripten::val;
 
-/// @param sources  {provenance, operands} of the result of an operation
-FaceNormals source_normals_in(const val& sources) {
-  std::vector<FaceNormals> normals;
-  const auto count = sources["operands"]["length"].as<unsigned>();
-  for (unsigned k = 0; k < count; ++k) {
-    const SurfaceMesh operand = mesh_in(sources["operands"][k]);
-    normals.push_back(measure_normals(operand, build_topology(operand)));
-  }
-  return source_normals(provenance_in(sources["provenance"]), normals);
-}
-
 /// {tables, recipe}.
 val model_out(const SurfaceMesh& mesh, const ClassifiedBrep& model, const val& recipe) {
   val object = val::object();

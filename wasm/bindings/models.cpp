@@ -161,6 +161,16 @@ Provenance provenance_in(const val& object) {
   return p;
 }
 
+FaceNormals source_normals_in(const val& sources) {
+  std::vector<FaceNormals> normals;
+  const auto count = sources["operands"]["length"].as<unsigned>();
+  for (unsigned k = 0; k < count; ++k) {
+    const SurfaceMesh operand = mesh_in(sources["operands"][k]);
+    normals.push_back(measure_normals(operand, build_topology(operand)));
+  }
+  return source_normals(provenance_in(sources["provenance"]), normals);
+}
+
 void check_provenance(const Provenance& p, std::size_t triangles, std::span<const ModelView> operands) {
   const auto is_per_triangle = [&](const auto& array) { return array.size() == triangles; };
   if (!is_per_triangle(p.source_operand) || !is_per_triangle(p.source_face) || !is_per_triangle(p.flipped)) refuse_provenance();

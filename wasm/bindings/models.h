@@ -36,6 +36,9 @@ struct BuiltModel {
 /// @param object  the arrays of the Provenance of a result; other sources and covering sets may be missing
 [[nodiscard]] Provenance provenance_in(const emscripten::val& object);
 
+/// @param sources  {provenance, operands} of the result of an operation: the meshes it was made from
+[[nodiscard]] FaceNormals source_normals_in(const emscripten::val& sources);
+
 /// @throws Error{InvalidArgument} when it is not that of a result of so many triangles made from these operands
 void check_provenance(const Provenance& provenance, std::size_t triangles, std::span<const ModelView> operands);
 

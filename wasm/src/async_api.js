@@ -94,6 +94,10 @@ export function createAsyncApi(compileFrom, host) {
     gmshProject: later('gmshProject'),
     /** @type {typeof import('./index.js').sizing} */
     sizing: later('sizing'),
+    /** @type {typeof import('./index.js').remesh} */
+    remesh: later('remesh'),
+    /** @type {typeof import('./index.js').predictTriangles} */
+    predictTriangles: later('predictTriangles'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
     /** @type {typeof import('./index.js').cornersToVertices} */

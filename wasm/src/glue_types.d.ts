@@ -3,7 +3,7 @@
 // What the bindings export; the glue the compiler writes carries no types.
 
 import type { BooleanResult, GmshProject, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
-import type { ModelTables, PinchFreeMesh, Provenance, RepairedMesh, Report, Section, VertexMesh } from './index.js';
+import type { ModelTables, PinchFreeMesh, Provenance, RemeshResult, RepairedMesh, Report, Section, VertexMesh } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -77,6 +77,8 @@ export interface Core {
   forgetSizing(sizing: number): void;
   sizesAt(sizing: number, points: Float64Array | Float32Array): Answer<Float64Array>;
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
+  remesh(mesh: CheckedMesh, settings: ModelSettings & RemeshSettings, sizing: number): Answer<RemeshResult>;
+  predictTriangles(mesh: CheckedMesh, sizing: number): Answer<number>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -97,6 +99,14 @@ export interface ModelSettings {
   groups?: Uint32Array;
   normals?: Float64Array;
   planes?: Uint32Array;
+}
+
+/** What `remesh` is told beside. */
+export interface RemeshSettings {
+  listener: ((stage: string, fraction: number) => boolean) | undefined;
+  mostTriangles: number;
+  rounds: number;
+  lastRounds: number;
 }
 
 /** What `resultModel` is told beside. */

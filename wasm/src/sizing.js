@@ -29,7 +29,7 @@ function boxRound(positions) {
   return box;
 }
 
-class Sizing extends Kept {
+export class Sizing extends Kept {
   #ask;
   #box;
 
@@ -42,6 +42,17 @@ class Sizing extends Kept {
     super({ session, number, forget: 'forgetSizing' });
     this.#ask = ask;
     this.#box = box;
+  }
+
+  /**
+   * Its number in a core.
+   * @param {Session} session
+   * @param {string} name how the caller knows it
+   */
+  numberIn(session, name) {
+    const handle = this.handleOf(name);
+    if (handle.session !== session) throw invalidArgument(`${name} was made by another core, or one that stopped: make it again`);
+    return handle.number;
   }
 
   /** @param {any} points */
@@ -68,7 +79,6 @@ class Sizing extends Kept {
  * @param {Session} session
  * @param {Ask} ask
  * @param {any} options
- * @returns {import('./index.js').Sizing}
  */
 export function makeSizing(session, ask, options) {
   const { size, smallest = 0, growth = 1.2, sources = [], model, mesh } = checkOptions(options, ['size', 'smallest', 'growth', 'sources', 'model', 'mesh']);
@@ -79,5 +89,5 @@ export function makeSizing(session, ask, options) {
   const box = about === undefined ? undefined : boxRound(checkMesh(about, 'mesh').positions);
   const request = checkSizeSources(sources, { growth: checkGrowth(growth, 'growth'), size, model, mesh });
   const number = ask((core) => core.makeSizing({ ...request, ...limits }));
-  return /** @type {any} */ (new Sizing(session, ask, { number, box }));
+  return new Sizing(session, ask, { number, box });
 }

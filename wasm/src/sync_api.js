@@ -14,7 +14,6 @@ import {
   checkOperand,
   checkOperands,
   checkOptions,
-  checkProgress,
   checkSimplify,
   checkTolerance,
   describe,
@@ -26,6 +25,8 @@ import { meshOperations } from './mesh_operations.js';
 import { modelFunctions } from './model_functions.js';
 import { placesOf } from './places.js';
 import { PreparedOperand, checkPrepared } from './prepared.js';
+import { listenedTo } from './progress.js';
+import { remeshFunctions } from './remesh.js';
 import { checkShape } from './shapes.js';
 import { makeSizing } from './sizing.js';
 import { checkSteps } from './steps.js';
@@ -88,24 +89,6 @@ function ask(session, call, meshes = [], whole) {
   return valueOf(answer, meshes, whole);
 }
 
-/**
- * Keeps an exception of the caller's callback out of the core: it cancels the call and is thrown again outside.
- * @param {((stage: string, fraction: number) => boolean) | undefined} progress
- */
-function guardProgress(progress) {
-  /** @type {{ thrown?: { cause: unknown } }} */
-  const state = {};
-  const report = progress && ((/** @type {string} */ stage, /** @type {number} */ fraction) => {
-    try {
-      return progress(stage, fraction);
-    } catch (cause) {
-      state.thrown = { cause };
-      return false;
-    }
-  });
-  return { report, state };
-}
-
 /** What every boolean takes. */
 const booleanOptions = ['onProgress', 'signal', 'inspect', 'kind', 'simplify', 'certify', 'coordinates', 'tolerance', 'contactMemory'];
 
@@ -125,27 +108,22 @@ function evaluateWith(session, call, { operands, options }) {
   const check = (/** @type {unknown} */ operand, /** @type {string} */ name) => checkPrepared(session, operand, name) ?? checkOperand(operand, name);
   const meshes = operands.map((/** @type {unknown} */ operand, /** @type {number} */ i) => check(operand, `operand ${i}`));
   const checked = checkOptions(options, booleanOptions);
-  const { report, state } = guardProgress(checkProgress(checked));
-  const settings = {
-    listener: report,
-    inspect: checkInspect(checked),
-    requireSolids: checkKind(checked),
-    simplify: checkSimplify(checked),
-    certify: checkCertify(checked),
-    coordinates: checkCoordinates(checked),
-    tolerance: checkTolerance(checked),
-    contactMemory: checkContactMemory(checked),
-  };
-  const begin = performance.now();
-  try {
+  return listenedTo(checked, (listener) => {
+    const settings = {
+      listener,
+      inspect: checkInspect(checked),
+      requireSolids: checkKind(checked),
+      simplify: checkSimplify(checked),
+      certify: checkCertify(checked),
+      coordinates: checkCoordinates(checked),
+      tolerance: checkTolerance(checked),
+      contactMemory: checkContactMemory(checked),
+    };
+    const begin = performance.now();
     const result = ask(session, (core) => call(core, meshes, settings), meshes);
     result.report.milliseconds = performance.now() - begin;
     return result;
-  } catch (error) {
-    if (state.thrown !== undefined) throw state.thrown.cause;
-    if (error instanceof MeshError && error.code === 'CANCELLED') error.cause = checked.signal?.reason;
-    throw error;
-  }
+  });
 }
 
 /**
@@ -254,6 +232,7 @@ export function createSyncApi(core, host, onStop) {
     ...meshOperations(askCore),
     ...modelFunctions(askCore, files),
     ...fileFunctions(askCore, files),
-    sizing: (options) => makeSizing(session, askCore, options),
+    sizing: (options) => /** @type {any} */ (makeSizing(session, askCore, options)),
+    ...remeshFunctions(session, askCore),
   };
 }

@@ -226,7 +226,7 @@ test('help and version', () => {
   const general = run(['--help']);
   assert.equal(general.code, 0);
   assert.equal(run(['--version']).out, `${version}\n`);
-  for (const verb of ['union', 'intersect', 'subtract', 'xor', 'partition', 'combine', 'keep', 'imprint', 'implant', 'resolve', 'split', 'repair', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
+  for (const verb of ['union', 'intersect', 'subtract', 'xor', 'partition', 'combine', 'keep', 'imprint', 'implant', 'resolve', 'split', 'repair', 'remesh', 'extrude', 'slice', 'transform', 'make', 'inspect']) {
     assert.match(general.out, new RegExp(`mortise ${verb} `));
     const { code, out } = run([verb, '--help']);
     assert.equal(code, 0);

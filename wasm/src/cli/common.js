@@ -183,18 +183,18 @@ function heldBy(mortise, bytes, format) {
 }
 
 /**
- * Writes a mesh that no boolean made, and reports what the file then holds, or the mesh where its format is not read; `notes` come first.
+ * Writes a mesh that no boolean made, and reports what the file then holds, or the mesh where its format is not read; `notes` come first, `more` is for JSON.
  * @param {Mortise} mortise
  * @param {import('../index.js').Mesh} mesh
- * @param {{ verb: string, args: Arguments, streams: Streams, notes?: string[] }} call
+ * @param {{ verb: string, args: Arguments, streams: Streams, notes?: string[], more?: object }} call
  */
-export function writePlain(mortise, mesh, { verb, args, streams, notes = [] }) {
+export function writePlain(mortise, mesh, { verb, args, streams, notes = [], more = {} }) {
   const target = targetOf(args);
   const bytes = mortise.writeMesh(mesh, { format: target.format });
   const report = mortise.inspect(heldBy(mortise, bytes, target.format) ?? mesh);
   report.notes.unshift(...notes);
   send(target, bytes, streams);
-  printReport(report, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
+  printReport({ ...report, ...more }, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
 }
 
 /** `segmentCount` as an option: `segment-count`. @param {string} name */

@@ -19,6 +19,7 @@ import { imprintVerb } from './verbs/imprint.js';
 import { inspectVerb } from './verbs/inspect.js';
 import { makeVerb } from './verbs/make.js';
 import { modelVerb } from './verbs/model.js';
+import { remeshVerb } from './verbs/remesh.js';
 import { repairVerb } from './verbs/repair.js';
 import { sliceVerb } from './verbs/slice.js';
 import { splitVerb } from './verbs/split.js';
@@ -39,6 +40,7 @@ const verbs = {
   resolve: booleanVerb('resolve'),
   split: splitVerb,
   repair: repairVerb,
+  remesh: remeshVerb,
   extrude: extrudeVerb,
   slice: sliceVerb,
   transform: transformVerb,
@@ -63,6 +65,7 @@ Exact booleans of triangle meshes.
   mortise resolve IN -o OUT               a mesh that overlaps itself, as what it covers
   mortise split IN -o OUT-%d.stl          its parts or its solids, one file each
   mortise repair IN -o OUT --STEP ...     mends what is asked for, says what it did
+  mortise remesh IN -o OUT --size H       triangles of the size wanted on the same model
   mortise extrude IN -o OUT --to-z Z      the solid under or over a terrain
   mortise slice IN -o OUT --plane ...     the polygons of a plane cut
   mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror

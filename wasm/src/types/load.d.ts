@@ -8,6 +8,7 @@ import type { Mesh, MeshInput } from './mesh.js';
 import type { GroupedMesh, MeshPart, PinchFreeMesh, RepairSteps, RepairedMesh, Section, Shapes, SplitOptions, TransformStep, VertexMesh } from './mesh_operations.js';
 import type { GmshProject, Model, ModelFormat, ModelOperand, ModelOptions, ResultModel, ResultModelOptions } from './models.js';
 import type { MeshOperand, Operand, PreparedOperand } from './operands.js';
+import type { RemeshOptions, RemeshResult, RemeshSizes } from './remesh.js';
 import type { Report } from './report.js';
 import type { Sizing, SizingOptions } from './sizing.js';
 
@@ -63,6 +64,9 @@ export interface Mortise {
   writeModel(model: Model<MeshInput>, options: { format: ModelFormat }): Uint8Array;
   gmshProject(model: Model<MeshInput>, options: { meshFile: string }): GmshProject;
   sizing(options: SizingOptions): Sizing;
+  remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): RemeshResult;
+  remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): RemeshResult;
+  predictTriangles(mesh: MeshInput, options: RemeshSizes): number;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;
   groupByLabel(mesh: MeshInput): GroupedMesh;

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, prepare, readMesh, readModel, repair } from 'mortise';
+import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, predictTriangles, prepare, readMesh, readModel, remesh, repair } from 'mortise';
 import { resolve, resultModel, sizing, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
 import type { Attribute, AttributePolicy, BooleanResult, DataChannel, EntityPart, EntitySource, ImprintResult, Mesh, MeshErrorCode, MeshInput, Model, ModelEntity, Mortise } from 'mortise';
-import type { PreparedOperand, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
+import type { PreparedOperand, RemeshResult, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -100,6 +100,14 @@ const sizes: Sizing = await sizing({ size: 1, model: shipBack, sources: [...want
 export const one: number = sizes.sizeAt([0, 0, 0]);
 export const many: Float64Array = sizes.sizeAt(box.positions);
 export const view: string = sizes.toGmshView({ min: [0, 0, 0], max: [1, 1, 1] });
+const finer: RemeshResult = await remesh(box, { size: 0.1, sources: wanted, featureAngle: 30, onProgress: ({ fraction }) => fraction < 1 });
+await remesh(pair, { operands: [box, moved], sizing: sizes, mostTriangles: 1e6 });
+export const least: number | null = finer.after.minAngleDeg;
+export const expected: number = await predictTriangles(finer.mesh, { sizing: sizes });
+// @ts-expect-error operands are those of a result
+await remesh(box, { size: 1, operands: [box] });
+// @ts-expect-error a sizing says all about sizes
+await remesh(box, { size: 1, sizing: sizes });
 // @ts-expect-error a point has one size
 await sizing({ size: 1, sources: [{ type: 'point', at: [0, 0, 0], size: [1, 2] }] });
 // @ts-expect-error there is always a size

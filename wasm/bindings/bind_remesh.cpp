@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Meshes of the sizes wanted on the same model.
+#include <emscripten/bind.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "arrays.h"
+#include "border.h"
+#include "models.h"
+#include "mortise/mesh/measures.h"
+#include "mortise/mesh/weld.h"
+#include "mortise/remesh/remesh.h"
+#include "sizings.h"
+
+namespace mortise::wasm {
+namespace {
+
+using emscripten::val;
+
+RemeshRules remesh_rules_in(const val& settings) {
+  RemeshRules rules;
+  rules.rounds = settings["rounds"].as<std::uint32_t>();
+  rules.last_rounds = settings["lastRounds"].as<std::uint32_t>();
+  rules.most_triangles = settings["mostTriangles"].as<double>();
+  const val listener = settings["listener"];
+  if (listener.isUndefined()) return rules;
+  rules.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
+  return rules;
+}
+
+/// Without data, which nothing here reads.
+SurfaceMesh welded_mesh_in(const val& object) {
+  SurfaceMesh mesh = mesh_in(object);
+  mesh.vertex_data.clear();
+  mesh.corner_data.clear();
+  return weld(mesh).mesh;
+}
+
+FaceNormals normals_of(const SurfaceMesh& mesh, const val& sources) {
+  return sources.isUndefined() ? measure_normals(mesh, build_topology(mesh)) : source_normals_in(sources);
+}
+
+/// {triangles, area, minAngleDeg, maxAngleDeg}.
+val shape_out(const SurfaceMesh& mesh) {
+  const FaceMeasures measures = measure_faces(mesh);
+  const bool has_angles = !mesh.triangles.empty();
+  val object = val::object();
+  object.set("triangles", static_cast<double>(mesh.triangles.size()));
+  object.set("area", measures.area);
+  object.set("minAngleDeg", has_angles ? val(measures.angles.min_deg) : val::null());
+  object.set("maxAngleDeg", has_angles ? val(measures.angles.max_deg) : val::null());
+  return object;
+}
+
+/// Two vertices for each mesh edge on a model edge.
+val model_edges_out(const Classification& on) {
+  std::vector<std::uint32_t> ends;
+  for (std::size_t e = 0; e + 1 < on.path.begin.size(); ++e) {
+    for (std::uint32_t i = on.path.begin[e]; i + 1 < on.path.begin[e + 1]; ++i)
+      ends.insert(ends.end(), {on.path.items[i].value, on.path.items[i + 1].value});
+  }
+  return copy_out(ends);
+}
+
+/// {mesh, sources, modelFaces, modelEdges, predicted, before, after}.
+/// @param settings  those of rules_in, with sources?, rounds, lastRounds, mostTriangles and listener: (stage, fraction) -> go on?
+val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
+  return answer([&] {
+    const auto sizes = sizing_of(sizing);
+    const SurfaceMesh mesh = welded_mesh_in(mesh_object);
+    const FaceNormals normals = normals_of(mesh, settings["sources"]);
+    const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals);
+    const RemeshResult result = remesh(mesh, model, normals, *sizes, remesh_rules_in(settings));
+    val object = val::object();
+    object.set("mesh", mesh_out(result.mesh));
+    object.set("sources", ids_out(result.sources));
+    object.set("modelFaces", ids_out(result.classification.face_of_triangle));
+    object.set("modelEdges", model_edges_out(result.classification));
+    object.set("predicted", predict_triangle_count(mesh, *sizes));
+    object.set("before", shape_out(mesh));
+    object.set("after", shape_out(result.mesh));
+    return object;
+  });
+}
+
+val predict_triangles(const val& mesh, std::uint32_t sizing) {
+  return answer([&] { return predict_triangle_count(mesh_in(mesh), *sizing_of(sizing)); });
+}
+
+}  // namespace
+
+EMSCRIPTEN_BINDINGS(mortise_remesh) {
+  emscripten::function("remesh", &remesh_mesh);
+  emscripten::function("predictTriangles", &predict_triangles);
+}
+
+}  // namespace mortise::wasm

@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Meshes of the sizes wanted on the same model, and how many triangles they take.
+// @ts-check
+
+import { checkMesh, checkOptions, describe } from './arguments.js';
+import { invalidArgument } from './errors.js';
+import { checkModelOptions, checkProvenance } from './model.js';
+import { listenedTo } from './progress.js';
+import { Sizing, makeSizing } from './sizing.js';
+
+/** @typedef {import('./glue_types.js').CheckedMesh} CheckedMesh */
+/** @typedef {import('./kept.js').Session} Session */
+/** @typedef {import('./mesh_operations.js').Ask} Ask */
+
+const ownSizes = ['size', 'smallest', 'growth', 'sources'];
+const sizeOptions = [...ownSizes, 'sizing'];
+const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'rounds', 'lastRounds', 'onProgress', 'signal'];
+const mostRounds = 1000;
+const mostMeshTriangles = 2 ** 32 - 1;
+
+/**
+ * A whole number of rounds.
+ * @param {unknown} value
+ * @param {string} name
+ */
+function checkRounds(value, name) {
+  if (!Number.isInteger(value) || Number(value) < 0 || Number(value) > mostRounds) throw invalidArgument(`${name} must be a number of rounds, 0 to ${mostRounds}, not ${describe(value)}`);
+  return Number(value);
+}
+
+/** @param {unknown} value */
+function checkMostTriangles(value) {
+  if (typeof value !== 'number' || !(value >= 1 && value <= mostMeshTriangles)) throw invalidArgument(`mostTriangles must be a number, 1 to ${mostMeshTriangles}, not ${describe(value)}`);
+  return value;
+}
+
+/** @param {unknown} value @param {string} name */
+function checkAngle(value, name) {
+  if (typeof value !== 'number' || !(value >= 0 && value <= 180)) throw invalidArgument(`${name} must be an angle in degrees, 0 to 180, not ${describe(value)}`);
+  return value;
+}
+
+/**
+ * The mesh, and where it comes from when it is that of a result.
+ * @param {any} given
+ * @param {any} operands
+ * @returns {{ mesh: CheckedMesh, sources?: { provenance: import('./index.js').Provenance, operands: CheckedMesh[] } }}
+ */
+function checkGiven(given, operands) {
+  const isResult = given?.mesh !== undefined && given.provenance !== undefined;
+  if (operands === undefined) {
+    if (isResult) throw invalidArgument('mesh is a result: say what it was made from with operands: [a, b], or pass its .mesh');
+    return { mesh: checkMesh(given, 'mesh') };
+  }
+  if (!isResult) throw invalidArgument(`operands are those of a result, which comes first, not ${describe(given)}`);
+  if (!Array.isArray(operands) || operands.length === 0) throw invalidArgument(`operands must be an array of the meshes the result was made from, not ${describe(operands)}`);
+  const mesh = checkMesh(given.mesh, 'result.mesh');
+  const triangles = (mesh.triangles?.length ?? mesh.positions.length / 3) / 3;
+  const provenance = checkProvenance(given.provenance, triangles, 'result.provenance');
+  return { mesh, sources: { provenance, operands: operands.map((operand, k) => checkMesh(operand, `operands[${k}]`)) } };
+}
+
+/**
+ * Calls with the number of a sizing: that of the caller, or one for this call.
+ * @template Result
+ * @param {{ session: Session, ask: Ask }} core
+ * @param {{ mesh: CheckedMesh, options: any }} about
+ * @param {(sizing: number) => Result} call
+ * @returns {Result}
+ */
+function withSizing({ session, ask }, { mesh: { positions, triangles }, options }, call) {
+  const { size, smallest, growth, sources, sizing } = options;
+  if (sizing === undefined) {
+    const made = makeSizing(session, ask, { size, smallest, growth, sources, mesh: { positions, triangles } });
+    try {
+      return call(made.numberIn(session, 'sizing'));
+    } finally {
+      made.dispose();
+    }
+  }
+  const other = ownSizes.find((name) => options[name] !== undefined);
+  if (other !== undefined) throw invalidArgument(`a sizing says all about sizes: leave out ${other}`);
+  if (sizing instanceof Promise) throw invalidArgument('sizing is a promise: await it first');
+  if (!(sizing instanceof Sizing)) throw invalidArgument(`sizing must be what sizing() gives, not ${describe(sizing)}`);
+  return call(sizing.numberIn(session, 'sizing'));
+}
+
+/**
+ * @param {Session} session
+ * @param {Ask} ask
+ * @returns {Pick<import('./index.js').Mortise, 'remesh' | 'predictTriangles'>}
+ */
+export function remeshFunctions(session, ask) {
+  return {
+    remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
+      const checked = checkOptions(options, remeshOptions);
+      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, rounds = 3, lastRounds = 10 } = checked;
+      const { mesh, sources } = checkGiven(given, operands);
+      const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
+      const limits = { mostTriangles: checkMostTriangles(mostTriangles), rounds: checkRounds(rounds, 'rounds'), lastRounds: checkRounds(lastRounds, 'lastRounds') };
+      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, ...limits };
+      const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));
+      return withSizing({ session, ask }, { mesh, options: checked }, remeshWith);
+    },
+    predictTriangles: (given, options) => {
+      const checked = checkOptions(options, sizeOptions);
+      const mesh = checkMesh(given, 'mesh');
+      return withSizing({ session, ask }, { mesh, options: checked }, (sizing) => ask((core) => core.predictTriangles(mesh, sizing), [mesh]));
+    },
+  };
+}

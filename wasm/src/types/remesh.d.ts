@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Meshes of the sizes wanted on the same model.
+
+import type { BooleanResult } from './booleans.js';
+import type { Mesh, MeshInput } from './mesh.js';
+import type { SizeSource, Sizing } from './sizing.js';
+
+/** How long edges are to be where: said here, or by a sizing. */
+export type RemeshSizes =
+  | {
+      /** The size where no source asks for less. */
+      size: number;
+      /** Nothing below this, whatever sources ask for. Default 0. */
+      smallest?: number;
+      /** Of sources that say nothing else. Default 1.2. */
+      growth?: number;
+      /** Those with `sizes` and no mesh are about the mesh given. */
+      sources?: readonly SizeSource[];
+      sizing?: undefined;
+    }
+  | { sizing: Sizing; size?: undefined; smallest?: undefined; growth?: undefined; sources?: undefined };
+
+export type RemeshOptions = RemeshSizes & {
+  /** Triangles at a larger angle, in degrees, are of different model faces; so are those of different labels. Default 40. */
+  featureAngle?: number;
+  /** A model edge that turns by more at a vertex, in degrees, keeps that vertex. Default 45. */
+  curveAngle?: number;
+  /** Sizes that ask for more triangles are refused, RESULT_TOO_LARGE. Default 20 million. */
+  mostTriangles?: number;
+  /** Of splits, collapses, swaps and moves, up to 1000. Default 3. */
+  rounds?: number;
+  /** On the worst triangles, up to 1000. Default 10. */
+  lastRounds?: number;
+  /** Called now and then with the fraction of the whole call done. Return false to cancel. */
+  onProgress?: (progress: { stage: string; fraction: number }) => boolean | void;
+  /** Looked at before the call and whenever progress is reported. */
+  signal?: AbortSignal;
+};
+
+/** Numbers about the triangles of a mesh. */
+export interface TriangleShapes {
+  triangles: number;
+  area: number;
+  /** In degrees; null when the mesh has no triangles. */
+  minAngleDeg: number | null;
+  maxAngleDeg: number | null;
+}
+
+export interface RemeshResult {
+  /** Labels and walls are those of the triangles it lies on. Vertex and corner data are not carried: it has none. */
+  mesh: Mesh;
+  /** Per triangle: the triangle of the mesh given that its middle is closest to. */
+  sources: Uint32Array;
+  /** Per triangle: its model face, numbered by the lowest triangles of the mesh given. */
+  modelFaces: Uint32Array;
+  /** Two vertices for each mesh edge that lies on a model edge. */
+  modelEdges: Uint32Array;
+  /** How many triangles the sizes ask for, to a few per cent. */
+  predicted: number;
+  before: TriangleShapes;
+  after: TriangleShapes;
+}
+
+/**
+ * The same model with triangles of the sizes wanted. Vertices of the model (corners) stay as they are, vertices on its edges stay on
+ * these, all others on its faces: places on the triangles given. Open meshes, walls and edges with many triangles are welcome;
+ * vertices at one place are one. Vertex and corner data are not carried.
+ */
+export function remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): Promise<RemeshResult>;
+/** Of what an operation answered: `operands` are the meshes of the call, moved as they were there, and creases are those of their triangles. */
+export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): Promise<RemeshResult>;
+
+/** How many triangles the sizes ask for on a mesh, to a few per cent. */
+export function predictTriangles(mesh: MeshInput, options: RemeshSizes): Promise<number>;

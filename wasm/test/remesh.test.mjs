@@ -1,0 +1,227 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+// Meshes of the sizes wanted: angles, areas, labels and sources; creases of operands; what is refused; the command.
+
+import assert from 'node:assert/strict';
+import { existsSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+
+import { inspect, load, make, MeshError, model, predictTriangles, remesh, resultModel, sizing, transform, union } from 'mortise';
+
+import { cube, meshError, run, soupOf, temporaryFolder } from './support.mjs';
+
+const close = (found, expected, within = 1e-9) => assert.ok(Math.abs(found - expected) <= within * Math.abs(expected), `${found} instead of ${expected}`);
+
+/** The unit cube with a name for each of two sides. */
+function labelled() {
+  return { ...cube(), faceLabels: Uint32Array.of(1, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0), labelNames: ['sides', 'floor', 'roof'] };
+}
+
+const corner = ({ positions }, v) => [...positions.subarray(3 * v, 3 * v + 3)];
+const middle = (mesh, t) => [0, 1, 2].map((axis) => [0, 1, 2].reduce((sum, k) => sum + corner(mesh, mesh.triangles[3 * t + k])[axis] / 3, 0));
+
+/** Two cylinders along y and z that cross, and their union. */
+async function crossing() {
+  const tube = await make('cylinder', { radius: 0.5, height: 2, around: 32 });
+  const upright = await transform(tube, [{ translate: [0, 0, -1] }]);
+  const operands = [upright, await transform(upright, [{ rotateX: 90 }])];
+  return { operands, result: await union(operands, { inspect: false }) };
+}
+
+test('a box gets good triangles of the size wanted, with its labels', async () => {
+  const { mesh, sources, modelFaces, modelEdges, predicted, before, after } = await remesh(labelled(), { size: 0.2 });
+  assert.deepEqual(before, { triangles: 12, area: 6, minAngleDeg: 45, maxAngleDeg: 90 });
+  assert.equal(after.triangles, mesh.triangles.length / 3);
+  close(after.area, 6);
+  assert.ok(after.minAngleDeg >= 30 && after.maxAngleDeg < 115, `${after.minAngleDeg} to ${after.maxAngleDeg}`);
+  close(predicted, (6 * 4) / Math.sqrt(3) / 0.2 ** 2, 1e-12);
+  close(after.triangles, predicted, 0.15);
+  assert.deepEqual(mesh.labelNames, ['sides', 'floor', 'roof']);
+  for (let t = 0; t < sources.length; ++t) {
+    const z = middle(mesh, t)[2];
+    assert.equal(mesh.faceLabels[t], z === 0 ? 1 : z === 1 ? 2 : 0);
+    assert.equal(labelled().faceLabels[sources[t]], mesh.faceLabels[t]);
+    assert.equal(modelFaces[t], sources[t] >> 1, 'the cube has two triangles on each face');
+  }
+  // Twelve edges of five pieces each, all on edges of the cube: two coordinates of both ends are 0 or 1.
+  assert.equal(modelEdges.length, 2 * 12 * 5);
+  for (const v of modelEdges) assert.ok(corner(mesh, v).filter((x) => x === 0 || x === 1).length >= 2);
+  assert.equal((await inspect(mesh)).volume, 1);
+});
+
+test('a union of crossing cylinders loses its slivers and keeps the creases of its operands', async () => {
+  const { operands, result } = await crossing();
+  const { mesh, modelFaces, before, after, predicted } = await remesh(result, { operands, size: 0.12, featureAngle: 40 });
+  assert.ok(before.minAngleDeg < 5, 'slivers beside the cut');
+  assert.ok(after.minAngleDeg >= 30, `${after.minAngleDeg}`);
+  close(after.triangles, predicted, 0.1);
+  close(after.area, before.area, 5e-3);
+  const { closed, volume, selfIntersections } = await inspect(mesh);
+  assert.deepEqual([closed, selfIntersections], [true, 0]);
+  close(volume, result.report.volume, 1e-2);
+  const { counts } = await resultModel(result, operands, { seams: 'none' });
+  assert.deepEqual([...new Set(modelFaces)].sort((a, b) => a - b), Array.from({ length: counts.modelFaces }, (_, i) => i));
+});
+
+test('a segment makes triangles small near it', async () => {
+  const source = { type: 'segment', from: [0, 0, 1], to: [1, 0, 1], size: 0.05, growth: 1.5 };
+  const { mesh, after, predicted } = await remesh(cube(), { size: 0.4, sources: [source] });
+  assert.ok(after.minAngleDeg >= 25, `${after.minAngleDeg}`);
+  close(after.triangles, predicted, 0.15);
+  const lengths = { near: [], far: [] };
+  for (let i = 0; i < mesh.triangles.length; ++i) {
+    const [p, q] = [mesh.triangles[i], mesh.triangles[i % 3 === 2 ? i - 2 : i + 1]].map((v) => corner(mesh, v));
+    const distance = Math.hypot((p[1] + q[1]) / 2, (p[2] + q[2]) / 2 - 1);
+    if (distance < 0.05) lengths.near.push(Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+    if (distance > 0.8) lengths.far.push(Math.hypot(p[0] - q[0], p[1] - q[1], p[2] - q[2]));
+  }
+  const mean = (list) => list.reduce((sum, x) => sum + x, 0) / list.length;
+  assert.ok(mean(lengths.near) < 0.075 && mean(lengths.far) > 0.25, `${mean(lengths.near)} near, ${mean(lengths.far)} far`);
+});
+
+test('sizes are said in any way, with the same bits each time', async () => {
+  const sources = [{ type: 'point', at: [0, 0, 0], size: 0.1 }];
+  const made = await sizing({ size: 0.3, growth: 1.4, sources });
+  const first = await remesh(cube(), { size: 0.3, growth: 1.4, sources });
+  assert.deepEqual(await remesh(cube(), { size: 0.3, growth: 1.4, sources }), first);
+  assert.deepEqual(await remesh(cube(), { sizing: made }), first);
+  assert.equal(made.sizeAt([0, 0, 0]), 0.1, 'it is not disposed of');
+  assert.equal(await predictTriangles(cube(), { sizing: made }), first.predicted);
+  const soup = await remesh(soupOf(cube()), { sizing: made });
+  assert.deepEqual(soup.before, first.before);
+  assert.ok(soup.after.minAngleDeg >= 30 && (await inspect(soup.mesh)).closed);
+  made.dispose();
+  const byFunction = await remesh(cube(), { size: 1, growth: 1, sources: [{ sizes: () => 0.25 }] });
+  assert.deepEqual(byFunction.mesh, (await remesh(cube(), { size: 0.25 })).mesh);
+});
+
+test('sheets are remeshed, data are left out, and what has no triangles stays empty', async () => {
+  const sheet = await make('gridSheet', { width: 2, depth: 1, cellsX: 2, cellsY: 1 });
+  const given = { ...sheet, vertexData: { t: { components: 1, values: new Float64Array(sheet.positions.length / 3) } } };
+  const { mesh, after, modelEdges } = await remesh(given, { size: 0.25 });
+  close(after.area, 2);
+  assert.equal(modelEdges.length, 2 * 24, 'the border');
+  assert.deepEqual([mesh.vertexData, mesh.cornerData], [undefined, undefined]);
+  const empty = await remesh({ positions: [], triangles: [] }, { size: 1 });
+  assert.deepEqual([empty.after, empty.predicted], [{ triangles: 0, area: 0, minAngleDeg: null, maxAngleDeg: null }, 0]);
+});
+
+test('angles decide what is an edge and what is a corner', async () => {
+  const round = await make('cylinder', { radius: 1, height: 1, around: 12 });
+  const pieces = async (options) => new Set((await remesh(round, { size: 0.5, ...options })).modelFaces).size;
+  assert.equal(await pieces({}), 3);
+  assert.equal(await pieces({ featureAngle: 20 }), 14);
+  const rimCorners = async (curveAngle) => {
+    const { mesh } = await remesh(round, { size: 0.9, curveAngle });
+    const has = new Set(Array.from({ length: mesh.positions.length / 3 }, (_, v) => String(corner(mesh, v))));
+    return Array.from({ length: round.positions.length / 3 }, (_, v) => String(corner(round, v))).filter((place) => has.has(place)).length;
+  };
+  assert.equal(await rimCorners(20), 24, 'every corner of the two rims stays');
+  assert.ok((await rimCorners(45)) < 24);
+});
+
+test('progress is reported, and stops the call', async () => {
+  const seen = [];
+  await remesh(cube(), { size: 0.3, onProgress: ({ stage, fraction }) => void seen.push([stage, fraction]) });
+  assert.equal(seen.length, 13, 'three rounds and ten');
+  assert.ok(seen.every(([stage, fraction], i) => stage === 'remesh' && fraction >= 0 && fraction <= 1 && (i === 0 || fraction > seen[i - 1][1])));
+  await meshError('CANCELLED', () => remesh(cube(), { size: 0.3, onProgress: () => false }), MeshError);
+  const thrown = new Error('mine');
+  await assert.rejects(() => remesh(cube(), { size: 0.3, onProgress: () => { throw thrown; } }), thrown);
+  await meshError('CANCELLED', () => remesh(cube(), { size: 0.3, signal: AbortSignal.abort() }), MeshError);
+  const made = await sizing({ size: 0.3 });
+  const { after } = await remesh(cube(), { sizing: made, onProgress: () => made.dispose() });
+  assert.ok(after.minAngleDeg >= 30, 'a sizing stays for the call');
+});
+
+test('more triangles than allowed are refused with the count', async () => {
+  const tooMany = async (options) => (await meshError('RESULT_TOO_LARGE', () => remesh(cube(), options), MeshError)).message;
+  assert.match(await tooMany({ size: 1e-4 }), /ask for about 138564\d{4} triangles, more than 20000000$/);
+  assert.match(await tooMany({ size: 0.1, mostTriangles: 1000 }), /ask for about 1385 triangles, more than 1000$/);
+  close(await predictTriangles(cube(), { size: 1e-4 }), 6 * 4e8 / Math.sqrt(3), 1e-9);
+});
+
+test('what means nothing is refused by name', async () => {
+  const { operands, result } = { operands: [cube(), cube(0.5)], result: await union(cube(), cube(0.5)) };
+  const made = await sizing({ size: 1 });
+  const gone = await sizing({ size: 1 });
+  gone.dispose();
+  const refused = [
+    [cube(), undefined, /^size must be a positive number, not undefined/],
+    [cube(), { size: 0 }, /^size must be a positive number, not number 0/],
+    [cube(), { size: 1, smallest: 2 }, /smallest is 2, more than the size 1/],
+    [cube(), { size: 1, sources: [{ type: 'point', at: [0, 0], size: 1 }] }, /sources\[0\]\.at must be three finite numbers/],
+    [cube(), { size: 1, sources: [{ curvature: { perTurn: 8 } }] }, /sources\[0\]\.model must be what model/],
+    [cube(), { size: 1, faceAngle: 40 }, /unknown option 'faceAngle'; known: size, smallest, growth, sources, sizing, operands, featureAngle/],
+    [cube(), { size: 1, featureAngle: 181 }, /featureAngle must be an angle in degrees, 0 to 180, not number 181/],
+    [cube(), { size: 1, curveAngle: '45' }, /curveAngle must be an angle in degrees/],
+    [cube(), { size: 1, rounds: 1.5 }, /rounds must be a number of rounds, 0 to 1000/],
+    [cube(), { size: 1, lastRounds: -1 }, /lastRounds must be a number of rounds/],
+    [cube(), { size: 1, mostTriangles: 0 }, /mostTriangles must be a number, 1 to/],
+    [cube(), { size: 1, onProgress: 5 }, /onProgress must be a function/],
+    [cube(), { sizing: made, size: 1 }, /a sizing says all about sizes: leave out size/],
+    [cube(), { sizing: { size: 1 } }, /sizing must be what sizing\(\) gives/],
+    [cube(), { sizing: sizing({ size: 1 }) }, /sizing is a promise: await it first/],
+    [cube(), { sizing: gone }, /sizing was disposed of/],
+    [result, { size: 1 }, /mesh is a result: say what it was made from with operands: \[a, b\], or pass its \.mesh/],
+    [cube(), { size: 1, operands }, /operands are those of a result/],
+    [result, { size: 1, operands: cube() }, /operands must be an array of the meshes/],
+    [result, { size: 1, operands: [cube(), {}] }, /operands\[1\] has no positions/],
+    [result, { size: 1, operands: [cube()] }, /./],
+  ];
+  for (const [mesh, options, message] of refused) assert.match((await meshError('INVALID_ARGUMENT', () => remesh(mesh, options), MeshError)).message, message);
+  await meshError('INVALID_ARGUMENT', () => predictTriangles(cube(), { size: 1, rounds: 3 }), MeshError);
+  made.dispose();
+});
+
+test('curvature of the model is a source like any other', async () => {
+  const tube = await make('cylinder', { radius: 1, height: 1, around: 24 });
+  const { after, predicted } = await remesh(tube, { size: 0.6, sources: [{ model: await model(tube), curvature: { perTurn: 24 }, growth: 1.5 }] });
+  assert.ok(after.triangles > 1.3 * (await predictTriangles(tube, { size: 0.6 })));
+  close(after.triangles, predicted, 0.2);
+});
+
+test('the command remeshes files and says what it did', async (t) => {
+  const cwd = temporaryFolder(t);
+  const mortise = await load();
+  mortise.writeMesh(join(cwd, 'in.stl'), cube());
+  const options = { size: 0.25, sources: [{ type: 'point', at: [0, 0, 0], size: 0.1 }, { type: 'segments', from: { points: Float64Array.of(0, 0, 1, 1, 0, 1), edges: Uint32Array.of(0, 1) }, size: 0.2 }] };
+  writeFileSync(join(cwd, 'sizes.json'), JSON.stringify([options.sources[0], { ...options.sources[1], from: { points: [0, 0, 1, 1, 0, 1], edges: [0, 1] } }]));
+  const done = run(['remesh', 'in.stl', '-o', 'out.ply', '--size', '0.25', '--sources', 'sizes.json', '--feature-angle', '30', '--curve-angle', '30', '--json'], { cwd });
+  assert.equal(done.code, 0, done.err);
+  const report = JSON.parse(done.out);
+  const { mesh, predicted, before, after } = mortise.remesh(mortise.readMesh(join(cwd, 'in.stl')), { ...options, featureAngle: 30, curveAngle: 30 });
+  assert.deepEqual([report.predicted, report.before, report.after], [predicted, before, after]);
+  assert.deepEqual([report.triangles, report.volume, report.certified], [after.triangles, 1, true]);
+  assert.deepEqual(mortise.readMesh(join(cwd, 'out.ply')), mortise.readMesh(mortise.writeMesh(mesh, { format: 'ply' }), { format: 'ply' }));
+  const piped = run(['remesh', '-', '-o', '-', '--format', 'off', '--size', '0.5'], { cwd, input: mortise.writeMesh(cube(), { format: 'off' }) });
+  assert.match(piped.err, /^notes +before: 12 triangles, angles 45 to 90 degrees$/m);
+  assert.match(piped.err, /^ +55 triangles predicted$/m);
+  assert.equal(mortise.inspect(mortise.readMesh(piped.bytes, { format: 'off' })).volume, 1);
+});
+
+test('the command refuses with words and exit codes', async (t) => {
+  const cwd = temporaryFolder(t);
+  (await load()).writeMesh(join(cwd, 'in.off'), cube());
+  const files = { 'no.json': '[{', 'object.json': '{}', 'entity.json': '[{"entity": {}}]', 'point.json': '[{"type": "point", "at": [0, 0, 0]}]' };
+  for (const [name, text] of Object.entries(files)) writeFileSync(join(cwd, name), text);
+  const refused = [
+    [2, /remesh needs --size/],
+    [2, /--size needs a number, not 'x'/, '--size', 'x'],
+    [2, /size must be a positive number/, '--size', '-1'],
+    [2, /featureAngle must be an angle/, '--size', '1', '--feature-angle', '200'],
+    [3, /no\.json: this is no JSON: .*\[PARSE_FAILED\]/, '--size', '1', '--sources', 'no.json'],
+    [2, /object\.json: sources must be a JSON array/, '--size', '1', '--sources', 'object.json'],
+    [2, /entity\.json: sources\[0\] must have a type: point, segment, segments, triangle/, '--size', '1', '--sources', 'entity.json'],
+    [2, /sources\[0\]\.size must be a positive number|sources\[0\]\.size must be a number/, '--size', '1', '--sources', 'point.json'],
+    [3, /cannot read none\.json/, '--size', '1', '--sources', 'none.json'],
+    [4, /more than 100 \[RESULT_TOO_LARGE\]/, '--size', '0.1', '--most-triangles', '100'],
+  ];
+  for (const [code, message, ...words] of refused) {
+    const done = run(['remesh', 'in.off', '-o', 'out.off', ...words], { cwd });
+    assert.match(done.err, message);
+    assert.equal(done.code, code, done.err);
+  }
+  assert.equal(existsSync(join(cwd, 'out.off')), false);
+});
