@@ -130,6 +130,20 @@ function arraysOfModel(prefix, mesh) {
   return comparedTables.map((name) => [`${prefix}${name}`, bytesOf(tables[name])]);
 }
 
+/** A result remeshed as the native tool does it. */
+function arraysOfRemeshed(prefix, mesh, area) {
+  if (mesh.triangles.length > 3 * 10000 || !(area > 0)) return [];
+  const size = Math.sqrt((area * 2.31) / 2000);
+  const [lo, hi] = [mesh.positions.slice(0, 3), mesh.positions.slice(0, 3)];
+  mesh.positions.forEach((x, i) => {
+    lo[i % 3] = Math.min(lo[i % 3], x);
+    hi[i % 3] = Math.max(hi[i % 3], x);
+  });
+  if (Math.max(...hi.map((x, k) => x - lo[k])) > 300 * size) return [];
+  const { mesh: { positions, triangles }, sources, modelFaces } = mortise.remesh(mesh, { size });
+  return Object.entries({ positions, triangles, sources, modelFaces }).map(([field, array]) => [`${prefix}${field}`, bytesOf(array)]);
+}
+
 /** Names and bytes of what the native tool writes for one evaluation. */
 function outcome(name, word, operands) {
   try {
@@ -152,6 +166,7 @@ function outcome(name, word, operands) {
       ...arraysOfMesh(`${name}.`, mesh),
       ...arraysOfMesh(`${name}.float32.`, mortise.roundToFloat32(mesh)),
       ...arraysOfModel(`${name}.model.`, mesh),
+      ...arraysOfRemeshed(`${name}.remeshed.`, mesh, area),
       ...Object.entries(arrays).map(([field, array]) => [`${name}.${field}`, bytesOf(array)]),
       ...parts.flatMap((part, k) => arraysOfPart(`${name}.part${k}.`, part)),
     ];

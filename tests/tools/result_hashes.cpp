@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 // Evaluates scenes and writes the raw arrays of operands and results, for scripts/compare-hashes.mjs to take hashes of.
 // usage: result_hashes SCENES.txt OUT_FOLDER   (scenes that need MORTISE_DATA are left out where it is not there)
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -19,7 +21,9 @@
 #include "mortise/brep/model_queries.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
+#include "mortise/mesh/measures.h"
 #include "mortise/mesh/round_to_float32.h"
+#include "mortise/remesh/remesh.h"
 #include "support/boolean_scenes.h"
 #include "support/data.h"
 #include "support/data_checks.h"
@@ -80,14 +84,16 @@ void write_graph(const std::string& prefix, const IntersectionGraph& graph) {
   write_array(prefix + "graphChains", chains);
 }
 
-/// Volume (0 when open), area, smallest and largest angle, length and area of contact, 1 when certified, 1 when closed.
-void write_measures(const std::string& prefix, const BooleanResult& result, const ResultRegions& regions) {
+/// The area, after writing: volume (0 when open), area, smallest and largest angle, length and area of contact, 1 when certified, 1 when
+/// closed.
+double write_measures(const std::string& prefix, const BooleanResult& result, const ResultRegions& regions) {
   MeshReport report = inspect(result.mesh);
   correct_by_regions(result, regions, report);
   const ContactMeasure& contact = result.report.contact;
   const bool is_certified = result.report.certificate.status == CertificateStatus::Certified;
   write_array(prefix + "measures", std::vector{report.volume.value_or(0), report.area, report.min_angle_deg, report.max_angle_deg,
                                                contact.length, contact.area, is_certified ? 1.0 : 0.0, report.closed ? 1.0 : 0.0});
+  return report.area;
 }
 
 /// Region ids begin with 1; 0 is outside.
@@ -145,13 +151,30 @@ void write_model(const std::string& prefix, const SurfaceMesh& mesh) {
   write_array(prefix + "regionVolume", volumes);
 }
 
+/// In some two thousand triangles, of results that are not large and no needles.
+void write_remeshed(const std::string& prefix, const SurfaceMesh& mesh, double area) {
+  if (mesh.triangles.size() > 10000 || !(area > 0)) return;
+  const Box3 box = bounding_box(mesh);
+  const Vec3d extent = box.hi - box.lo;
+  const double size = std::sqrt(area * 2.31 / 2000);
+  if (std::max({extent.x, extent.y, extent.z}) > 300 * size) return;
+  BrepRules rules;
+  rules.seams = Seams::None;
+  const FaceNormals normals = measure_normals(mesh, build_topology(mesh));
+  const RemeshResult result = remesh(mesh, build_brep(mesh, rules, normals), normals, SizingProxy({}, {.global = size}));
+  write_array(prefix + "positions", result.mesh.points);
+  write_array(prefix + "triangles", result.mesh.triangles);
+  write_numbers(prefix + "sources", result.sources, [](FaceId t) { return t.value; });
+  write_numbers(prefix + "modelFaces", result.classification.face_of_triangle, [](ModelFaceId f) { return f.value; });
+}
+
 void write_result(const std::string& prefix, const BooleanResult& result) {
   write_surface(prefix, result.mesh);
   write_provenance(prefix, result.provenance);
   const ResultRegions regions = find_result_regions(result);
   write_regions(prefix, regions);
   write_graph(prefix, result.graph);
-  write_measures(prefix, result, regions);
+  write_remeshed(prefix + "remeshed.", result.mesh, write_measures(prefix, result, regions));
   write_surface(prefix + "float32.", round_to_float32(result.mesh));
   write_model(prefix + "model.", result.mesh);
   for (const Format format : {Format::PlyAscii, Format::StlBinary, Format::Glb}) {
