@@ -208,6 +208,30 @@ TEST_CASE("a part that sharing turns inside out is thinner than the tolerance an
   }
 }
 
+TEST_CASE("an operand that sharing folds onto itself is listed, and its contacts with itself are resolved", "[tolerance]") {
+  const SurfaceMesh wedge = make_mesh({{1, 0, 2}, {1, 2, 1}, {1, 3, 2}, {4, 0, 2}, {4, 2, 1}, {4, 3, 2}},
+                                      {{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3}, {1, 2, 5}, {1, 5, 4}, {2, 0, 3}, {2, 3, 5}});
+  // Its arm, from x = 3 on, is thinner than the tolerance: the upper side goes into the lower one.
+  const SurfaceMesh angle = make_mesh(
+      {{0, 0, 0}, {0, 0, 4}, {3, 0, 4}, {3, 0, 1}, {6, 0, 1}, {6, 0, 0}, {0, 3, 0}, {0, 3, 4}, {3, 3, 4}, {3, 3, 1}, {6, 3, 1}, {6, 3, 0}},
+      {{0, 2, 1}, {3, 5, 4}, {0, 3, 2}, {3, 0, 5}, {6, 7, 8},  {9, 10, 11}, {6, 8, 9},  {9, 11, 6},  {0, 1, 7}, {0, 7, 6},
+       {1, 2, 8}, {1, 8, 7}, {2, 3, 9}, {2, 9, 8}, {3, 4, 10}, {3, 10, 9},  {4, 5, 11}, {4, 11, 10}, {5, 0, 6}, {5, 6, 11}});
+  for (const Vec3d& place : {Vec3d{0, 0, 0}, Vec3d{-312350, 398228, -295010}}) {
+    const std::vector<SurfaceMesh> operands{moved(wedge, place), moved(angle, place)};
+    const SharedOperands shared = share_within_tolerance(pointers_to(operands), 1.52);
+    CHECK(!oracle::self_crossings(shared.operands[1].mesh).empty());
+    CHECK(shared.folded == std::vector<std::uint32_t>{1});
+    CHECK(shared.report.unresolved == std::vector<OperandFace>{{1, 14}, {1, 15}, {1, 19}});
+    for (const Operation operation : {Operation::Union, Operation::Partition}) {
+      const BooleanResult result = evaluate_within(1.52, operation, operands);
+      CHECK(is_certified(result));
+      CHECK(result.report.certificate.inherited_pairs == 0);
+      CHECK(is_balanced(result.mesh));
+      CHECK(oracle::self_crossings(result.mesh).empty());
+    }
+  }
+}
+
 TEST_CASE("no tolerance changes nothing; with one sources are those of the operands as given", "[tolerance]") {
   RandomSource random(3);
   const std::vector<SurfaceMesh> cubes = loose_block(random, 1e-7);

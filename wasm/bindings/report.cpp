@@ -274,7 +274,8 @@ val boolean_report_out(const EvaluatedCall& call, Search search) {
   }
   account.notes.push_back(certificate_note(result.report.certificate, call.options.coordinates));
   note_if(account.notes, result.report.certificate.inherited_pairs, "crossings near the cut were brought along by an operand");
-  note_if(account.notes, result.report.tolerance.unresolved.size(), "faces could not share all that is within the tolerance");
+  note_if(account.notes, result.report.tolerance.unresolved.size(),
+          "faces could not share all that is within the tolerance, or came to cross others");
   account.regions = call.regions.regions;
   for (const std::uint32_t k : find_idle_sheets(result, call.regions)) {
     account.notes.push_back("operand " + std::to_string(k) + " ends inside a region: it divides nothing there");

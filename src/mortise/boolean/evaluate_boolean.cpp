@@ -149,7 +149,8 @@ struct Call {
   std::string_view name;
   const Selector& select;
   const BooleanOptions& options;
-  bool is_repair;  // the operands have been accepted before
+  bool is_repair;                         // the operands have been accepted before
+  std::span<const std::uint32_t> folded;  // operands all of whose contacts with themselves are resolved
 };
 
 // Keeps what it takes to arrange again what the certificate could not prove. Facets behind the first ones were joined from these.
@@ -233,7 +234,7 @@ EvaluatedSelection evaluate_cut_operands(const Call& call, std::span<const Surfa
   const OperandList list(operands);
   OperandFaces faces = gather_operands(list);
   for (std::size_t k = 0; k < faces.operand_count(); ++k) faces.self_contacts[OperandId(k)] = SelfContacts::All;
-  return evaluate_gathered({call.name, call.select, options, true}, list, std::move(faces));
+  return evaluate_gathered({call.name, call.select, options, true, {}}, list, std::move(faces));
 }
 
 // Where coordinates brought very many faces together there may be no room to arrange them; then the result stays as it is.
@@ -250,6 +251,7 @@ EvaluatedSelection evaluate_and_snap(const Call& call, const OperandList& operan
   std::vector<StageTime> times;
   report_progress(call.options.progress, "gather_operands", 0);
   OperandFaces faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
+  for (const std::uint32_t k : call.folded) faces.self_contacts[OperandId(k)] = SelfContacts::All;
   EvaluatedSelection evaluated = evaluate_gathered(call, operands, std::move(faces));
   std::vector<StageTime>& stages = evaluated.result.report.stages;
   stages.insert(stages.begin(), times.begin(), times.end());
@@ -336,7 +338,8 @@ EvaluatedSelection evaluate_shared(const Call& call, const OperandList& operands
   OperandFaces given_faces = timed(times, "gather_operands", [&] { return gather_operands(operands); });
   const auto share = [&] { return share_within_tolerance(operands.meshes(), call.options.tolerance, call.options.progress); };
   SharedOperands shared = timed(times, "share_within_tolerance", share);
-  EvaluatedSelection evaluated = evaluate_what_is_left(call, operands, given_faces, shared);
+  const Call of_shared{call.name, call.select, call.options, false, shared.folded};
+  EvaluatedSelection evaluated = evaluate_what_is_left(of_shared, operands, given_faces, shared);
   BooleanReport& report = evaluated.result.report;
   report.stages.insert(report.stages.begin(), times.begin(), times.end());
   for (std::string& note : notes_of_vanished(operands, shared)) report.notes.push_back(std::move(note));
@@ -361,7 +364,7 @@ EvaluatedSelection evaluate_selection_exactly(std::string_view name, const Selec
   if (!(options.tolerance >= 0) || options.tolerance > std::numeric_limits<double>::max())
     throw Error(ErrorCode::InvalidArgument, name, "the tolerance is a length, 0 or more");
   std::vector<DataChannel> channels = join_channels(operands.meshes());
-  const Call call{name, select, options, false};
+  const Call call{name, select, options, false, {}};
   EvaluatedSelection evaluated = options.tolerance > 0 ? evaluate_shared(call, operands) : evaluate_and_repair(call, operands);
   if (!channels.empty()) {
     const ExactOperands source{operands.meshes(), evaluated.faces, evaluated.point_of_vertex};

@@ -80,7 +80,7 @@ struct ToleranceReport {
   std::uint64_t made_vertices = 0;      ///< where edges passed one another
   double largest_move = 0;              ///< of a vertex; at most the tolerance
   std::vector<OperandFace> collapsed;   ///< ascending: faces whose corners became two or one
-  std::vector<OperandFace> unresolved;  ///< ascending: faces on which not all that is near could be shared
+  std::vector<OperandFace> unresolved;  ///< ascending: faces that could not share all that is near, or that sharing let cross others
 };
 
 struct StageTime {

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <tuple>
 
+#include "mortise/base/sort_unique.h"
+#include "mortise/boolean/folded_faces.h"
 #include "mortise/boolean/shared_edges.h"
 #include "mortise/boolean/triangulate_shared_faces.h"
 #include "mortise/geom/box_tree.h"
@@ -176,6 +178,16 @@ class OperandWriter {
   ImprintedOperand operand_;
 };
 
+void list_folded(std::span<const SurfaceMesh* const> operands, SharedOperands& shared) {
+  std::vector<OperandFace>& unresolved = shared.report.unresolved;
+  for (std::uint32_t k = 0; k < operands.size(); ++k) {
+    const std::vector<std::uint32_t> faces = find_folded_faces(*operands[k], shared.operands[k]);
+    if (!faces.empty()) shared.folded.push_back(k);
+    for (const std::uint32_t f : faces) unresolved.push_back({k, f});
+  }
+  sort_unique(unresolved);
+}
+
 }  // namespace
 
 SharedOperands share_within_tolerance(std::span<const SurfaceMesh* const> operands, double tolerance, const ProgressCallback& progress) {
@@ -201,6 +213,7 @@ SharedOperands share_within_tolerance(std::span<const SurfaceMesh* const> operan
     writers[operand].add(face, triangles);
   }
   for (std::size_t k = 0; k < operands.size(); ++k) result.operands.push_back(std::move(writers[k]).finish(shared[k]));
+  list_folded(operands, result);
   return result;
 }
 

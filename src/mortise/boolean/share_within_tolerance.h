@@ -16,6 +16,7 @@ namespace mortise {
 struct SharedOperands {
   std::vector<ImprintedOperand> operands;  ///< mesh, source_vertex and source_face; no data
   ToleranceReport report;
+  std::vector<std::uint32_t> folded;  ///< ascending: operands that changed where they meet themselves beyond what their faces share
 };
 
 /// Vertices within the tolerance become one, at the place of one of them; a vertex within it of an edge or a face, where no vertex is
@@ -28,7 +29,8 @@ struct SharedOperands {
 ///
 /// Decides in doubles what is near, and exactly what is a triangulation. A face on which the new vertices and edges do not fit
 /// (it is about as thin as the tolerance) is listed, and keeps what fits. One whose corners became two or one is no face any more, and
-/// listed: a part thinner than the tolerance vanishes.
+/// listed: a part thinner than the tolerance vanishes. Where an operand is hardly thicker than the tolerance it may come to cross itself;
+/// its faces there are listed as well, and whoever arranges it has to resolve its contacts with itself.
 /// @param tolerance  length, > 0
 /// @throws Error{Cancelled}
 /// O(n log n), plus time in proportion to the pairs that are near.

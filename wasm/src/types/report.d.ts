@@ -79,7 +79,7 @@ export interface ToleranceReport {
   largestMove: number;
   /** Triangles of operands whose corners became two or one. */
   collapsed: { operand: number; face: number }[];
-  /** Triangles of operands that could not share all that is near. */
+  /** Triangles of operands that could not share all that is near, or that sharing let cross others of their operand. */
   unresolved: { operand: number; face: number }[];
 }
 
