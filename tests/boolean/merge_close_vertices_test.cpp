@@ -51,12 +51,16 @@ std::vector<FailedPair> all_failed(const SurfaceMesh& mesh) {
 /// A split box as a result with the box's corners as input vertices.
 struct Repair {
   explicit Repair(const SurfaceMesh& mesh, std::size_t inputs = 8)
-      : faces(points_only(inputs, mesh.points.size())), merged(merged_of(mesh, inputs, faces)), failed(all_failed(mesh)) {}
+      : faces(points_only(inputs, mesh.points.size())),
+        merged(merged_of(mesh, inputs, faces)),
+        facets(facets_of(merged)),
+        failed(all_failed(mesh)) {}
 
-  bool run(double how_far = reach) { return merge_close_vertices(faces, failed, {reach, how_far}, merged); }
+  bool run(double how_far = reach) { return merge_close_vertices(faces, facets, failed, {reach, how_far}, merged); }
 
   OperandFaces faces;
   MergedMesh merged;
+  Facets facets;
   std::vector<FailedPair> failed;
 };
 
@@ -75,7 +79,7 @@ TEST_CASE("a made vertex next to an input vertex becomes it, and the triangles b
 
 TEST_CASE("made vertices on the same doubles become one without any failure, input vertices are left alone") {
   Repair repair(split_box({0.25, 0.25, 0}));
-  merge_equal_vertices(repair.faces, Coordinates::Float64, repair.merged);
+  merge_equal_vertices(repair.faces, repair.facets, Coordinates::Float64, repair.merged);
   CHECK(fault_of(repair.merged) == "");
   CHECK(repair.merged.mesh.points.size() == 10);  // the one at 0 and the corner are not both made
   CHECK(repair.merged.mesh.triangles.size() == 16);
@@ -84,7 +88,7 @@ TEST_CASE("made vertices on the same doubles become one without any failure, inp
 
 TEST_CASE("where no made vertices are on the same doubles, nothing is repaired") {
   Repair repair(split_box({0.25, 0.5}));
-  merge_equal_vertices(repair.faces, Coordinates::Float64, repair.merged);
+  merge_equal_vertices(repair.faces, repair.facets, Coordinates::Float64, repair.merged);
   CHECK(repair.merged.mesh.points.size() == 10);
   CHECK(repair.merged.facets_before_repair.empty());
 }
@@ -105,6 +109,24 @@ TEST_CASE("a row of close vertices ends at the input vertex, and the displacemen
   CHECK(repair.merged.mesh.triangles.size() == 12);
   CHECK(repair.merged.mesh.points.size() == 8);
   CHECK(repair.merged.repair_displacement == 3 * 0x1p-50);
+}
+
+TEST_CASE("which of some triangles on the same corners remains does not depend on their numbers") {
+  const VertexId a(0U), b(1U);
+  std::vector<Triangle> layers{{a, b, VertexId(2U)}, {a, b, VertexId(3U)}, {b, a, VertexId(4U)}};
+  std::set<PlanePoints> remaining;
+  std::sort(layers.begin(), layers.end());
+  do {
+    SurfaceMesh mesh;
+    mesh.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 1, 0x1p-50}, {0, 1, 0x1p-49}};
+    mesh.triangles = layers;
+    Repair repair(mesh, 2);
+    repair.failed = {{FaceId(0U), FaceId(1U)}, {FaceId(1U), FaceId(2U)}};
+    REQUIRE(repair.run());
+    REQUIRE(repair.merged.mesh.triangles.size() == 1);
+    remaining.insert(repair.facets.corners[repair.merged.facet_of_triangle[0].facet]);
+  } while (std::next_permutation(layers.begin(), layers.end()));
+  CHECK(remaining.size() == 1);
 }
 
 TEST_CASE("input vertices never move, however close") {
@@ -206,7 +228,7 @@ TEST_CASE("results of random solids stay balanced whatever is merged, and no inp
     }
     const std::size_t before = merged.mesh.points.size();
     const double how_far = 0.5 + random.below(3);
-    if (!merge_close_vertices(scene.faces, failed, {reach, how_far}, merged)) continue;
+    if (!merge_close_vertices(scene.faces, scene.facets, failed, {reach, how_far}, merged)) continue;
     ++merges;
     CHECK(fault_of(merged) == "");
     CHECK(merged.mesh.points.size() < before);

@@ -55,6 +55,16 @@ namespace mortise::test {
   return merged;
 }
 
+/// The facets of such a result: its triangles.
+[[nodiscard]] inline Facets facets_of(const MergedMesh& merged) {
+  Facets facets;
+  for (const Triangle& t : merged.mesh.triangles) {
+    const auto point_of = [&](std::size_t i) { return merged.point_of_vertex[t[i].index()]; };
+    facets.corners.push_back({point_of(0), point_of(1), point_of(2)});
+  }
+  return facets;
+}
+
 /// Which rule of a result does not hold after a repair; empty when all do.
 [[nodiscard]] inline std::string fault_of(const MergedMesh& merged) {
   const std::size_t n = merged.mesh.triangles.size(), vertices = merged.mesh.points.size();

@@ -4,8 +4,11 @@
 #include "mortise/boolean/moved_shells.h"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "boolean/evaluation.h"
+#include "mortise/base/union_find.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
 #include "support/grid_solids.h"
@@ -18,11 +21,25 @@ namespace {
 
 const SurfaceMesh unit = box({0, 0, 0}, {1, 1, 1});
 
-/// As if all vertices but `still` had moved, any distance.
+FaceId first_of_shell(const SurfaceMesh& mesh, FaceId f) {
+  UnionFind joined(mesh.points.size());
+  for (const Triangle& t : mesh.triangles) {
+    joined.join(t[0].value, t[1].value);
+    joined.join(t[1].value, t[2].value);
+  }
+  const auto shell_of = [&](const Triangle& t) { return joined.find(t[0].value); };
+  const std::uint32_t shell = shell_of(mesh.triangles[f.index()]);
+  const auto first = std::find_if(mesh.triangles.begin(), mesh.triangles.end(), [&](const Triangle& t) { return shell_of(t) == shell; });
+  return FaceId(static_cast<std::size_t>(first - mesh.triangles.begin()));
+}
+
+/// The first triangle of each shell, as if all vertices but `still` had moved, any distance.
 std::vector<FaceId> turned_shells(const MergedScene& scene, const std::vector<std::size_t>& still = {}) {
   std::vector<std::uint8_t> is_moved(scene.merged.mesh.points.size(), 1);
   for (const std::size_t v : still) is_moved[v] = 0;
-  return find_turned_shells(scene.faces, scene.facets, scene.merged, is_moved, 100);
+  std::vector<FaceId> shells = find_turned_shells(scene.faces, scene.facets, scene.merged, is_moved, 100);
+  for (FaceId& f : shells) f = first_of_shell(scene.merged.mesh, f);
+  return shells;
 }
 
 void mirror(SurfaceMesh& mesh, std::size_t from = 0) {
@@ -59,6 +76,24 @@ TEST_CASE("each shell is judged by itself") {
   CHECK(turned_shells(scene) == std::vector<FaceId>{FaceId(12)});
   CHECK(turned_shells(scene, {0}) == std::vector<FaceId>{FaceId(12)});
   CHECK(turned_shells(scene, {8, 9, 10, 11, 12, 13, 14, 15}).empty());
+}
+
+TEST_CASE("a shell is named by its triangle at the lowest place, whatever the numbers") {
+  const SurfaceMesh other = moved(unit, {0.5, 0.5, 0.5});
+  for (const std::vector<SurfaceMesh>& operands : {std::vector{unit, other}, std::vector{other, unit}}) {
+    MergedScene scene(Operation::Union, operands);
+    mirror(scene.merged.mesh);
+    const std::vector<std::uint8_t> is_moved(scene.merged.mesh.points.size(), 1);
+    const std::vector<FaceId> named = find_turned_shells(scene.faces, scene.facets, scene.merged, is_moved, 100);
+    REQUIRE(named.size() == 1);
+    std::set<std::array<double, 3>> corners;
+    for (const VertexId v : scene.merged.mesh.triangles[named[0].index()]) {
+      const Vec3d& p = scene.merged.mesh.points[v.index()];
+      corners.insert({p.x, p.y, p.z});
+    }
+    CHECK(corners.count({-1.5, 0.5, 0.5}) == 1);
+    CHECK(corners.count({-1.5, 0.5, 1.5}) == 1);
+  }
 }
 
 TEST_CASE("the wall of a cavity faces inwards, and is turned when it does no more") {

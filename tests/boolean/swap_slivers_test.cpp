@@ -48,11 +48,17 @@ bool has_triangle(const MergedMesh& merged, std::array<std::size_t, 3> corners) 
 
 const std::vector<FailedPair> the_sliver{{FaceId(1), FaceId(1)}};
 
+bool swap_failed(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
+  const OperandFaces enough_points = points_only(40, 8);
+  const Facets facets = facets_of(merged);
+  return swap_slivers(FacetOrder(enough_points, facets), failed, reach, merged);
+}
+
 }  // namespace
 
 TEST_CASE("a sliver gives its longest edge another diagonal") {
   MergedMesh merged = merged_box(height / 2);
-  REQUIRE(swap_slivers(the_sliver, {0x1p-46, height}, merged));
+  REQUIRE(swap_failed(the_sliver, {0x1p-46, height}, merged));
   CHECK(fault_of(merged) == "");
   CHECK(merged.mesh.triangles.size() == 14);
   CHECK((has_triangle(merged, {8, 0, 2}) && has_triangle(merged, {2, 3, 8})));
@@ -62,7 +68,7 @@ TEST_CASE("a sliver gives its longest edge another diagonal") {
 
 TEST_CASE("the displacement is the height of the sliver") {
   MergedMesh merged = merged_box(height / 2);
-  REQUIRE(swap_slivers(the_sliver, {0x1p-46, height}, merged));
+  REQUIRE(swap_failed(the_sliver, {0x1p-46, height}, merged));
   const double exact = height / 2 * 1.4142135623730951;
   CHECK(std::abs(merged.repair_displacement - exact) < 0x1p-53);  // computed from coordinates of one half
 }
@@ -90,7 +96,7 @@ TEST_CASE("both triangles belong to the face of the neighbour afterwards, with i
       }
       p.other_source_begin[t + 1] = sum;
     }
-    REQUIRE(swap_slivers(the_sliver, {0x1p-46, height}, merged));
+    REQUIRE(swap_failed(the_sliver, {0x1p-46, height}, merged));
     CHECK(fault_of(merged) == "");
     const std::uint32_t expected = counts[0];
     for (const std::size_t t : {0U, 1U}) {
@@ -112,23 +118,23 @@ TEST_CASE("both triangles belong to the face of the neighbour afterwards, with i
 TEST_CASE("a triangle higher than the reach of its place and than the least reach is no sliver") {
   const double high = 0x1p-46;  // the reach where coordinates are one half is half of that
   MergedMesh merged = merged_box(high);
-  CHECK_FALSE(swap_slivers(the_sliver, {0x1p-46, height}, merged));
+  CHECK_FALSE(swap_failed(the_sliver, {0x1p-46, height}, merged));
   CHECK(has_same_bits(merged.mesh, box_with_sliver(high)));
   CHECK(merged.repair_displacement == 0);
-  CHECK(swap_slivers(the_sliver, {0x1p-46, 2 * high}, merged));
+  CHECK(swap_failed(the_sliver, {0x1p-46, 2 * high}, merged));
 }
 
 TEST_CASE("the reach of its place is enough for a sliver") {
   MergedMesh merged = merged_box(0x1p-48);
-  CHECK(swap_slivers(the_sliver, {0x1p-46, 0}, merged));
+  CHECK(swap_failed(the_sliver, {0x1p-46, 0}, merged));
 }
 
 TEST_CASE("slivers next to a failed triangle are swapped, others are not") {
   MergedMesh near = merged_box(height / 2);
-  CHECK(swap_slivers(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, near));  // the neighbour failed
+  CHECK(swap_failed(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, near));  // the neighbour failed
   MergedMesh far = merged_box(height / 2);
-  CHECK_FALSE(swap_slivers(std::vector<FailedPair>{{FaceId(2), FaceId(3)}}, {0x1p-46, height}, far));  // the top did
-  CHECK_FALSE(swap_slivers({}, {0x1p-46, height}, far));
+  CHECK_FALSE(swap_failed(std::vector<FailedPair>{{FaceId(2), FaceId(3)}}, {0x1p-46, height}, far));  // the top did
+  CHECK_FALSE(swap_failed({}, {0x1p-46, height}, far));
 }
 
 TEST_CASE("no swap makes an edge that is there already") {
@@ -138,7 +144,7 @@ TEST_CASE("no swap makes an edge that is there already") {
   MergedMesh merged = merged_of(flat, 4, faces);
   std::vector<FailedPair> failed;
   for (std::size_t t = 0; t < 4; ++t) failed.push_back({FaceId(t), FaceId(t)});
-  CHECK_FALSE(swap_slivers(failed, {0x1p-46, height}, merged));
+  CHECK_FALSE(swap_failed(failed, {0x1p-46, height}, merged));
   CHECK(has_same_bits(merged.mesh, flat));
 }
 
@@ -158,7 +164,7 @@ TEST_CASE("an edge of four triangles is not swapped") {
   MergedMesh merged = merged_of(mesh, mesh.points.size(), faces);
   std::vector<FailedPair> failed;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) failed.push_back({FaceId(t), FaceId(t)});
-  (void)swap_slivers(failed, {0x1p-46, height}, merged);
+  (void)swap_failed(failed, {0x1p-46, height}, merged);
   CHECK(is_balanced(merged.mesh));
   std::size_t at_edge = 0;
   for (const Triangle& t : merged.mesh.triangles) {
@@ -193,10 +199,10 @@ TEST_CASE("no triangle is swapped twice in one call") {
   MergedMesh merged = merged_of(mesh, 8, faces);
   std::vector<FailedPair> failed;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) failed.push_back({FaceId(t), FaceId(t)});
-  REQUIRE(swap_slivers(failed, {0x1p-46, height}, merged));
+  REQUIRE(swap_failed(failed, {0x1p-46, height}, merged));
   CHECK(fault_of(merged) == "");
   CHECK(std::count(merged.is_repaired.begin(), merged.is_repaired.end(), 1) == 2);
-  REQUIRE(swap_slivers(failed, {0x1p-46, height}, merged));
+  REQUIRE(swap_failed(failed, {0x1p-46, height}, merged));
   CHECK(fault_of(merged) == "");
 }
 
@@ -214,7 +220,7 @@ TEST_CASE("results of random solids stay balanced whatever is swapped, and no ve
     for (std::size_t t = 0; t < before.triangles.size(); ++t) {
       if (random.below(2) == 0) failed.push_back({FaceId(t), FaceId(t)});
     }
-    if (!swap_slivers(failed, {0x1p-46, 0.25 + random.below(3)}, scene.merged)) continue;
+    if (!swap_failed(failed, {0x1p-46, 0.25 + random.below(3)}, scene.merged)) continue;
     ++swaps;
     CHECK(fault_of(scene.merged) == "");
     CHECK(scene.merged.mesh.points == before.points);
@@ -243,7 +249,7 @@ MergedMesh fan_with_sliver() {
 
 TEST_CASE("where inner faces are kept, every triangle at the edge of a sliver takes its corner in") {
   MergedMesh merged = fan_with_sliver();
-  REQUIRE(swap_slivers(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, merged));
+  REQUIRE(swap_failed(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, merged));
   CHECK(merged.mesh.triangles.size() == 6);
   for (const auto& corners : {std::array<std::size_t, 3>{2, 0, 3}, {3, 1, 2}, {0, 2, 4}, {2, 1, 4}, {2, 0, 5}, {5, 1, 2}}) {
     CHECK(has_triangle(merged, corners));
@@ -259,5 +265,5 @@ TEST_CASE("where inner faces are kept, every triangle at the edge of a sliver ta
 TEST_CASE("of a boolean only edges of two triangles are swapped") {
   MergedMesh merged = fan_with_sliver();
   merged.provenance.covering_front.clear();
-  CHECK_FALSE(swap_slivers(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, merged));
+  CHECK_FALSE(swap_failed(std::vector<FailedPair>{{FaceId(0), FaceId(0)}}, {0x1p-46, height}, merged));
 }

@@ -31,12 +31,12 @@ RoundedResult certify_or_repair(const OperandFaces& faces, const Facets& facets,
                                 int most_rounds, const ProgressCallback& progress) {
   const RepairReach reach = repair_reach(coordinates);
   const std::size_t vertices = merged.mesh.points.size();
-  if (merge_equal_vertices(faces, coordinates, merged) > vertices / 4) return give_up(std::move(merged));
+  if (merge_equal_vertices(faces, facets, coordinates, merged) > vertices / 4) return give_up(std::move(merged));
   CertifiedMesh certified = certify(faces, facets, merged, progress);
   for (int round = 0; round < most_rounds && !certified.failed.empty(); ++round) {
     const std::uint32_t merges = certified.certificate.merge_rounds, swaps = certified.certificate.swap_rounds;
-    const bool is_merged = merge_close_vertices(faces, certified.failed, reach, merged);
-    if (!is_merged && !swap_slivers(certified.failed, reach, merged)) break;
+    const bool is_merged = merge_close_vertices(faces, facets, certified.failed, reach, merged);
+    if (!is_merged && !swap_slivers(FacetOrder(faces, facets), certified.failed, reach, merged)) break;
     certified = certify(faces, facets, merged, progress);
     certified.certificate.repair_displacement = merged.repair_displacement;
     certified.certificate.merge_rounds = merges + (is_merged ? 1 : 0);

@@ -43,7 +43,8 @@ void cancel_opposites(const Provenance& p, std::vector<StackedSource>& sources) 
 
 class Joiner {
  public:
-  explicit Joiner(MergedMesh& merged) : merged_(merged), remains_(merged.mesh.triangles.size(), 0) {}
+  Joiner(const FacetOrder& precedes, MergedMesh& merged)
+      : precedes_(precedes), merged_(merged), remains_(merged.mesh.triangles.size(), 0) {}
 
   [[nodiscard]] std::vector<std::uint8_t> run() {
     const std::vector<StackedTriangle> sorted = sorted_by_corners(merged_.mesh.triangles);
@@ -61,7 +62,8 @@ class Joiner {
 
  private:
   void join(std::span<const StackedTriangle> stack) {
-    const std::optional<OuterSpaces> spaces = outer_spaces(stack, merged_.provenance);
+    const std::vector<StackedTriangle> by_facet = sorted_by_facet(stack);
+    const std::optional<OuterSpaces> spaces = outer_spaces(by_facet, merged_.provenance);
     std::vector<StackedSource> sources = sources_of(stack);
     if (merged_.keeps_all_sources) cancel_opposites(merged_.provenance, sources);
     if (sources.empty() || (!spaces && !merged_.keeps_all_sources)) return;
@@ -78,6 +80,22 @@ class Joiner {
       p.covering[kept.triangle] = kept.is_even ? spaces->behind : spaces->in_front;
     }
     mark_wall(kept.triangle);
+    set_facet(by_facet.front(), kept);
+  }
+
+  [[nodiscard]] std::vector<StackedTriangle> sorted_by_facet(std::span<const StackedTriangle> stack) const {
+    std::vector<StackedTriangle> sorted(stack.begin(), stack.end());
+    std::stable_sort(sorted.begin(), sorted.end(), [&](const StackedTriangle& s, const StackedTriangle& t) {
+      return precedes_(merged_.facet_of_triangle[s.triangle].facet, merged_.facet_of_triangle[t.triangle].facet);
+    });
+    return sorted;
+  }
+
+  void set_facet(const StackedTriangle& from, const StackedTriangle& to) {
+    const KeptFacet source = merged_.facet_of_triangle[from.triangle];
+    KeptFacet& facet = merged_.facet_of_triangle[to.triangle];
+    facet.facet = source.facet;
+    facet.is_flipped = source.is_flipped == (from.is_even == to.is_even);
   }
 
   void mark_wall(std::uint32_t t) {
@@ -160,6 +178,7 @@ class Joiner {
     p.other_source_flipped = std::move(others.other_source_flipped);
   }
 
+  const FacetOrder& precedes_;
   MergedMesh& merged_;
   std::vector<std::uint8_t> remains_;
   std::vector<std::vector<SourceFace>> joined_;  // per triangle that stands for several
@@ -167,6 +186,6 @@ class Joiner {
 
 }  // namespace
 
-std::vector<std::uint8_t> join_coincident(MergedMesh& merged) { return Joiner(merged).run(); }
+std::vector<std::uint8_t> join_coincident(const FacetOrder& precedes, MergedMesh& merged) { return Joiner(precedes, merged).run(); }
 
 }  // namespace mortise

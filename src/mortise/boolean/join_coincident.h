@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mortise/boolean/facet_order.h"
 #include "mortise/boolean/merge.h"
 
 namespace mortise {
@@ -16,8 +17,9 @@ namespace mortise {
 /// Where all sources are kept (an imprint), these decide instead: faces of one operand that run against each other cancel, so
 /// that every operand stays closed by itself, and a triangle remains for what is left.
 ///
-/// @param merged  with both its coverings
+/// @param precedes  decides which spaces stay when more than two are left, and whose facet the triangle has
+/// @param merged    with both its coverings
 /// @return per triangle 1 or 0; `merged` keeps all triangles
-[[nodiscard]] std::vector<std::uint8_t> join_coincident(MergedMesh& merged);
+[[nodiscard]] std::vector<std::uint8_t> join_coincident(const FacetOrder& precedes, MergedMesh& merged);
 
 }  // namespace mortise

@@ -9,6 +9,7 @@
 #include <tuple>
 #include <utility>
 
+#include "mortise/boolean/facet_order.h"
 #include "mortise/boolean/join_coincident.h"
 #include "mortise/boolean/keep_triangles.h"
 #include "mortise/geom/length.h"
@@ -156,10 +157,6 @@ struct SortedTriangle {
   Triangle corners;  // ascending
   bool is_even;
   std::uint32_t triangle;
-
-  bool operator<(const SortedTriangle& other) const {
-    return corners != other.corners ? corners < other.corners : triangle < other.triangle;
-  }
 };
 
 SortedTriangle sorted_triangle(const Triangle& t, std::uint32_t number) {
@@ -170,8 +167,9 @@ SortedTriangle sorted_triangle(const Triangle& t, std::uint32_t number) {
   return b < c ? SortedTriangle{{a, b, c}, true, number} : SortedTriangle{{a, c, b}, false, number};
 }
 
-// Triangles that remain: not those with a corner twice, not pairs that cancel.
-std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles) {
+// Triangles that remain: not those with a corner twice, not pairs that cancel. Of some on the same corners the first facets remain.
+std::vector<std::uint8_t> find_remaining(const FacetOrder& precedes, const MergedMesh& merged) {
+  const std::vector<Triangle>& triangles = merged.mesh.triangles;
   std::vector<std::uint8_t> remains(triangles.size(), 1);
   std::vector<SortedTriangle> sorted;
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
@@ -182,7 +180,11 @@ std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles)
       sorted.push_back(sorted_triangle(c, t));
     }
   }
-  std::sort(sorted.begin(), sorted.end());
+  std::sort(sorted.begin(), sorted.end(), [&](const SortedTriangle& s, const SortedTriangle& t) {
+    if (s.corners != t.corners) return s.corners < t.corners;
+    const FacetId f = merged.facet_of_triangle[s.triangle].facet, g = merged.facet_of_triangle[t.triangle].facet;
+    return precedes(f, g) || (!precedes(g, f) && s.triangle < t.triangle);
+  });
   std::vector<std::uint32_t> open;  // triangles on the same corners that nothing has cancelled, all of one sense
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (i == 0 || sorted[i].corners != sorted[i - 1].corners) open.clear();
@@ -197,16 +199,16 @@ std::vector<std::uint8_t> find_remaining(const std::vector<Triangle>& triangles)
   return remains;
 }
 
-void apply(const Replacement& replacement, MergedMesh& merged) {
+void apply(const Replacement& replacement, const FacetOrder& precedes, MergedMesh& merged) {
   note_facets_before_repair(merged);
   replace_corners(replacement, merged);
   const bool has_walls = !merged.provenance.covering_front.empty();
-  keep_triangles(has_walls ? join_coincident(merged) : find_remaining(merged.mesh.triangles), merged);
+  keep_triangles(has_walls ? join_coincident(precedes, merged) : find_remaining(precedes, merged), merged);
 }
 
 }  // namespace
 
-std::size_t merge_equal_vertices(const OperandFaces& faces, Coordinates coordinates, MergedMesh& merged) {
+std::size_t merge_equal_vertices(const OperandFaces& faces, const Facets& facets, Coordinates coordinates, MergedMesh& merged) {
   const std::vector<Vec3d>& points = merged.mesh.points;
   const Precedence precedes(faces, merged);
   std::vector<VertexId> rounded;
@@ -226,16 +228,17 @@ std::size_t merge_equal_vertices(const OperandFaces& faces, Coordinates coordina
     replacement.merge_equal(rounded[i - 1], rounded[i]);
     any = true;
   }
-  if (any) apply(replacement, merged);
+  if (any) apply(replacement, FacetOrder(faces, facets), merged);
   return merged_inputs;
 }
 
-bool merge_close_vertices(const OperandFaces& faces, std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
+bool merge_close_vertices(const OperandFaces& faces, const Facets& facets, std::span<const FailedPair> failed, const RepairReach& reach,
+                          MergedMesh& merged) {
   const Precedence precedes(faces, merged);
   Replacement replacement(precedes, merged.mesh.points.size());
   bool any = false;
   for (const ClosePair& pair : find_close_pairs(merged, precedes, failed, reach)) any |= replacement.merge_close(pair.a, pair.b);
-  if (any) apply(replacement, merged);
+  if (any) apply(replacement, FacetOrder(faces, facets), merged);
   return any;
 }
 

@@ -4,6 +4,7 @@
 #include "mortise/boolean/moved_shells.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -13,6 +14,7 @@
 #include "mortise/base/union_find.h"
 #include "mortise/boolean/radial_order.h"
 #include "mortise/geom/length.h"
+#include "mortise/geom/lexicographic.h"
 #include "mortise/mesh/volume_sign.h"
 
 namespace mortise {
@@ -232,6 +234,20 @@ class ExactShell {
   std::span<const KeptFacet> shell_;
 };
 
+// The triangle at the lowest place: its number may come from the order of operands.
+FaceId lowest_triangle(const SurfaceMesh& mesh, std::span<const FaceId> shell) {
+  const auto corners_of = [&](FaceId f) {
+    std::array<Vec3d, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) corners[i] = mesh.points[mesh.triangles[f.index()][i].index()];
+    std::sort(corners.begin(), corners.end(), is_lexicographically_less);
+    return corners;
+  };
+  return *std::min_element(shell.begin(), shell.end(), [&](FaceId f, FaceId g) {
+    const std::array<Vec3d, 3> a = corners_of(f), b = corners_of(g);
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), is_lexicographically_less);
+  });
+}
+
 // Does the one volume a shell encloses have its exact sign?
 bool keeps_sense(const MergedMesh& merged, std::span<const FaceId> shell, const ExactShell& exact) {
   std::vector<Triangle> triangles;
@@ -268,7 +284,7 @@ std::vector<FaceId> find_turned_shells(const OperandFaces& faces, const Facets& 
     const std::vector<KeptFacet> kept = surface->facets_of(shell);
     const ExactShell exact(faces, facets, kept);
     const bool keeps = has_walls ? keeps_senses(merged, shell, exact) : keeps_sense(merged, shell, exact);
-    if (!keeps) turned.push_back(shell.front());
+    if (!keeps) turned.push_back(lowest_triangle(merged.mesh, shell));
   }
   return turned;
 }

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <tuple>
 #include <utility>
 
 #include "mortise/boolean/join_coincident.h"
 #include "mortise/boolean/keep_triangles.h"
 #include "mortise/geom/length.h"
+#include "mortise/geom/lexicographic.h"
 #include "mortise/mesh/face_marks.h"
 
 namespace mortise {
@@ -25,8 +25,8 @@ struct DirectedEdge {
 
 class SliverSwapper {
  public:
-  SliverSwapper(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged)
-      : reach_(reach), has_walls_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
+  SliverSwapper(const FacetOrder& precedes, std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged)
+      : precedes_(precedes), reach_(reach), has_walls_(!merged.provenance.covering_front.empty()), merged_(merged), mesh_(merged.mesh) {
     std::vector<std::uint8_t> is_near(mesh_.points.size(), 0);
     for (const FailedPair& f : failed) {
       for (const FaceId t : {f.a, f.b}) {
@@ -47,7 +47,7 @@ class SliverSwapper {
   bool run() {
     bool any = false;
     for (const FaceId t : candidates_) any |= swap_if_sliver(t);
-    if (any && has_walls_) keep_triangles(join_coincident(merged_), merged_);
+    if (any && has_walls_) keep_triangles(join_coincident(precedes_, merged_), merged_);
     return any;
   }
 
@@ -85,9 +85,8 @@ class SliverSwapper {
     for (std::size_t i = 0; i < 3; ++i) size[i] = length(position(t[(i + 1) % 3]) - position(t[i]));
     longest = 0;
     for (std::size_t i = 1; i < 3; ++i) {
-      const Vec3d &p = position(t[i]), &q = position(t[longest]);
-      // Lengths that round alike are told apart by where they are, not by which corner comes first.
-      const bool is_before = std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+      // Lengths that round alike are told apart by the corner that is not theirs: which comes first, and which way round, says nothing.
+      const bool is_before = is_lexicographically_less(position(t[(i + 2) % 3]), position(t[(longest + 2) % 3]));
       if (size[i] > size[longest] || (size[i] == size[longest] && is_before)) longest = i;
     }
     if (!(size[longest] > 0)) return false;
@@ -203,6 +202,7 @@ class SliverSwapper {
     for (std::size_t i = to.index() + 1; i < p.other_source_begin.size(); ++i) p.other_source_begin[i] += new_count - old_count;
   }
 
+  const FacetOrder& precedes_;
   RepairReach reach_;
   bool has_walls_;
   MergedMesh& merged_;
@@ -214,8 +214,8 @@ class SliverSwapper {
 
 }  // namespace
 
-bool swap_slivers(std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
-  return SliverSwapper(failed, reach, merged).run();
+bool swap_slivers(const FacetOrder& precedes, std::span<const FailedPair> failed, const RepairReach& reach, MergedMesh& merged) {
+  return SliverSwapper(precedes, failed, reach, merged).run();
 }
 
 }  // namespace mortise
