@@ -1,0 +1,230 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+#include "mortise/remesh/deviation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <string>
+#include <utility>
+
+#include "mortise/base/error.h"
+#include "mortise/base/sort_unique.h"
+#include "mortise/geom/box_tree.h"
+#include "mortise/geom/length.h"
+#include "mortise/geom/placed_triangle.h"
+#include "mortise/mesh/topology.h"
+
+namespace mortise {
+namespace {
+
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// What distances are measured from and to; only what is of one group is measured against each other.
+struct Sample {
+  Vec3d at;
+  std::uint32_t group = 0;
+};
+
+struct Piece {
+  std::array<Vec3d, 3> corners;
+  std::uint32_t group = 0;
+};
+
+double square_of(const Vec3d& v) { return dot(v, v); }
+
+double square_outside(const Box3& box, const Vec3d& p) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double outside = std::max({box.lo[i] - p[i], p[i] - box.hi[i], 0.0});
+    sum += outside * outside;
+  }
+  return sum;
+}
+
+/// Triangles, or segments, of one group.
+class PieceGroup {
+ public:
+  void add(const PlacedTriangle& placed, const Box3& box) {
+    placed_.push_back(placed);
+    boxes_.push_back(box);
+  }
+  void close() { tree_ = BoxTree(std::exchange(boxes_, {})); }
+
+  /// The distance to the closest one; infinite where there is none. The last answer is where the next search starts: points in any order
+  /// have the same distances, apart from rounding none, points next to each other have them sooner.
+  [[nodiscard]] double distance(const Vec3d& p) {
+    if (tree_.empty()) return infinity;
+    double least = square_to(last_, p);
+    stack_.assign(1, 0);
+    while (!stack_.empty()) {
+      const BoxTree::Node& node = tree_.nodes()[stack_.back()];
+      stack_.pop_back();
+      if (square_outside(node.box, p) >= least) continue;
+      if (node.is_leaf()) {
+        look_in(node, p, least);
+      } else {
+        const std::uint32_t one = node.first, other = node.first + 1;
+        const bool is_one_closer = square_outside(tree_.nodes()[one].box, p) <= square_outside(tree_.nodes()[other].box, p);
+        stack_.push_back(is_one_closer ? other : one);
+        stack_.push_back(is_one_closer ? one : other);
+      }
+    }
+    return std::sqrt(least);
+  }
+
+ private:
+  [[nodiscard]] double square_to(std::uint32_t piece, const Vec3d& p) const {
+    return square_of(in_space(placed_[piece], closest_in(placed_[piece], p)) - p);
+  }
+
+  void look_in(const BoxTree::Node& leaf, const Vec3d& p, double& least) {
+    for (const BoxTree::Item& item : tree_.items_of(leaf)) {
+      if (square_outside(item.box, p) >= least) continue;
+      const double square = square_to(item.id, p);
+      if (square >= least) continue;
+      least = square;
+      last_ = item.id;
+    }
+  }
+
+  std::vector<PlacedTriangle> placed_;
+  std::vector<Box3> boxes_;
+  BoxTree tree_;
+  std::vector<std::uint32_t> stack_;
+  std::uint32_t last_ = 0;
+};
+
+std::vector<PieceGroup> grouped(const std::vector<Piece>& pieces, std::size_t count, std::uint8_t corners) {
+  std::vector<PieceGroup> groups(count);
+  for (const Piece& piece : pieces) {
+    Box3 box;
+    for (std::size_t k = 0; k < corners; ++k) box.extend(piece.corners[k]);
+    groups[piece.group].add(place_triangle(piece.corners, corners), box);
+  }
+  for (PieceGroup& group : groups) group.close();
+  return groups;
+}
+
+/// A mesh as samples and pieces.
+struct Side {
+  const SurfaceMesh& mesh;
+  const ClassifiedBrep& model;
+  Matching matching;
+
+  [[nodiscard]] const Vec3d& at(VertexId v) const { return mesh.points[v.index()]; }
+  [[nodiscard]] std::uint32_t group_of(FaceId t) const {
+    return matching == Matching::None ? 0 : model.classification.face_of_triangle[t.index()].value;
+  }
+  [[nodiscard]] std::uint32_t group_of(ModelEdgeId e) const { return matching == Matching::Entities ? e.value : 0; }
+};
+
+std::vector<Piece> triangles_of(const Side& side) {
+  std::vector<Piece> pieces;
+  for (std::size_t t = 0; t < side.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = side.mesh.triangles[t];
+    pieces.push_back({{side.at(a), side.at(b), side.at(c)}, side.group_of(FaceId(t))});
+  }
+  return pieces;
+}
+
+// Vertices, middles of edges, centroids, in the order of the triangles; what is of several groups once for each.
+std::vector<Sample> samples_of_surface(const Side& side) {
+  using Once = std::pair<std::uint32_t, std::uint32_t>;  // vertex or edge, group
+  const MeshTopology topology = build_topology(side.mesh);
+  std::vector<Sample> samples;
+  std::vector<Once> vertices, edges;
+  for (std::size_t t = 0; t < side.mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = side.mesh.triangles[t];
+    const std::uint32_t group = side.group_of(FaceId(t));
+    samples.push_back({1.0 / 3 * (side.at(a) + side.at(b) + side.at(c)), group});
+    for (const VertexId v : side.mesh.triangles[t]) vertices.emplace_back(v.value, group);
+    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(topology.edge_of[3 * t + k].value, group);
+  }
+  sort_unique(vertices);
+  sort_unique(edges);
+  for (const auto& [v, group] : vertices) samples.push_back({side.at(VertexId(v)), group});
+  for (const auto& [e, group] : edges) {
+    if (e >= topology.edges.size()) continue;
+    const auto& [a, b] = topology.edges[e];
+    samples.push_back({0.5 * (side.at(a) + side.at(b)), group});
+  }
+  return samples;
+}
+
+template <class Visit>
+void for_each_path(const Side& side, Visit visit) {
+  for (std::size_t e = 0; e < side.model.brep.edges.size(); ++e) {
+    if (!side.model.brep.edges[ModelEdgeId(e)].is_seam)
+      visit(side.model.classification.path.of(ModelEdgeId(e)), side.group_of(ModelEdgeId(e)));
+  }
+}
+
+std::vector<Piece> segments_of(const Side& side) {
+  std::vector<Piece> pieces;
+  for_each_path(side, [&](std::span<const VertexId> path, std::uint32_t group) {
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) pieces.push_back({{side.at(path[k]), side.at(path[k + 1]), {}}, group});
+  });
+  return pieces;
+}
+
+std::vector<Sample> samples_of_curves(const Side& side, bool with_middles) {
+  std::vector<Sample> samples;
+  for_each_path(side, [&](std::span<const VertexId> path, std::uint32_t group) {
+    for (std::size_t k = 0; k < path.size(); ++k) {
+      if (with_middles && k > 0) samples.push_back({0.5 * (side.at(path[k - 1]) + side.at(path[k])), group});
+      samples.push_back({side.at(path[k]), group});
+    }
+  });
+  return samples;
+}
+
+OneWayDistance measure(const std::vector<Sample>& samples, std::vector<PieceGroup> groups, const SizingProxy& sizes,
+                       std::vector<double>& of_groups) {
+  OneWayDistance found;
+  of_groups.assign(groups.size(), 0);
+  for (const Sample& sample : samples) {
+    const double distance = groups[sample.group].distance(sample.at);
+    if (distance == 0) continue;
+    const double in_sizes = distance / sizes.size_at(sample.at);
+    found.greatest = std::max(found.greatest, distance);
+    of_groups[sample.group] = std::max(of_groups[sample.group], in_sizes);
+    if (in_sizes <= found.in_sizes) continue;
+    found.in_sizes = in_sizes;
+    found.at = sample.at;
+  }
+  return found;
+}
+
+void check_matching(const ClassifiedBrep& a, const ClassifiedBrep& b, Matching matching) {
+  const auto need_equal = [](std::size_t one, std::size_t other, const std::string& what) {
+    if (one == other) return;
+    throw Error(ErrorCode::InvalidArgument, "deviation",
+                "one model has " + std::to_string(one) + " " + what + ", the reference " + std::to_string(other));
+  };
+  if (matching != Matching::None) need_equal(a.brep.faces.size(), b.brep.faces.size(), "faces");
+  if (matching == Matching::Entities) need_equal(a.brep.edges.size(), b.brep.edges.size(), "edges");
+}
+
+}  // namespace
+
+Deviation measure_deviation(const SurfaceMesh& mesh, const ClassifiedBrep& model, const SurfaceMesh& reference,
+                            const ClassifiedBrep& reference_model, const SizingProxy& sizes, Matching matching) {
+  check_matching(model, reference_model, matching);
+  const Side here{mesh, model, matching}, there{reference, reference_model, matching};
+  const std::size_t faces = matching == Matching::None ? 1 : model.brep.faces.size();
+  const std::size_t edges = matching == Matching::Entities ? model.brep.edges.size() : 1;
+  std::vector<double> to, from, unused;
+  Deviation d;
+  d.to_reference = measure(samples_of_surface(here), grouped(triangles_of(there), faces, 3), sizes, to);
+  d.from_reference = measure(samples_of_surface(there), grouped(triangles_of(here), faces, 3), sizes, from);
+  d.curves_to_reference = measure(samples_of_curves(here, false), grouped(segments_of(there), edges, 2), sizes, unused);
+  d.curves_from_reference = measure(samples_of_curves(there, true), grouped(segments_of(here), edges, 2), sizes, unused);
+  if (matching != Matching::None) {
+    for (std::size_t f = 0; f < faces; ++f) d.of_faces.push_back({to[f], from[f]});
+  }
+  return d;
+}
+
+}  // namespace mortise

@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: the Mortise authors
+// SPDX-License-Identifier: MIT
+#include "mortise/remesh/free_triangles.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "mortise/base/sort_unique.h"
+#include "mortise/base/union_find.h"
+#include "mortise/geom/box_tree.h"
+#include "mortise/geom/length.h"
+#include "mortise/geom/placed_triangle.h"
+#include "mortise/mesh/measures.h"
+
+namespace mortise {
+namespace {
+
+constexpr double shortest_edge = 0.7;   // of the size
+constexpr double pieces_of_closed = 3;  // no closed model edge has fewer mesh edges
+constexpr double sharpest_deg = 60 - 1e-9;
+constexpr double way_over_gap = 2 + 1e-6;  // where two lines meet at 60 degrees, the way along them is twice the gap
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A place on a feature, or a straight piece of one.
+struct Obstacle {
+  Vec3d from, to;
+};
+
+struct Search {
+  const SurfaceMesh& mesh;
+  const MeshTopology& topology;
+  const ClassifiedBrep& model;
+  const std::vector<double>& sizes;
+  std::vector<std::uint8_t> is_feature;  // per mesh edge
+  std::vector<Obstacle> obstacles;
+
+  [[nodiscard]] const Vec3d& at(VertexId v) const { return mesh.points[v.index()]; }
+  [[nodiscard]] double size(VertexId v) const { return sizes[v.index()]; }
+};
+
+Box3 box_round(const Vec3d& a, const Vec3d& b) {
+  Box3 box;
+  box.extend(a);
+  box.extend(b);
+  return box;
+}
+
+Box3 grown(const Vec3d& p, double by) { return {p - Vec3d{by, by, by}, p + Vec3d{by, by, by}}; }
+
+Vec3d closest_on(const Obstacle& o, const Vec3d& p) {
+  const PlacedTriangle placed = place_triangle({o.from, o.to, o.to}, o.from == o.to ? 1 : 2);
+  return in_space(placed, closest_in(placed, p));
+}
+
+void add_path(Search& s, ModelEdgeId edge) {
+  const std::span<const VertexId> path = s.model.classification.path.of(edge);
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) s.obstacles.push_back({s.at(path[k]), s.at(path[k + 1])});
+}
+
+bool is_short(const Search& s, ModelEdgeId edge) {
+  const std::span<const VertexId> path = s.model.classification.path.of(edge);
+  double metric = 0;
+  for (std::size_t k = 0; k + 1 < path.size(); ++k)
+    metric += length(s.at(path[k + 1]) - s.at(path[k])) / ((s.size(path[k]) + s.size(path[k + 1])) / 2);
+  const ModelEdge& ends = s.model.brep.edges[edge];
+  return metric < shortest_edge * (ends.start == ends.end ? pieces_of_closed : 1);
+}
+
+void add_edges(Search& s, const std::vector<std::uint8_t>& frozen, Obstacles& count) {
+  for (std::size_t e = 0; e < s.model.brep.edges.size(); ++e) {
+    const ModelEdgeId edge(e);
+    const bool is_frozen = !frozen.empty() && frozen[e] != 0;
+    if (s.model.brep.edges[edge].is_seam || (!is_frozen && !is_short(s, edge))) continue;
+    ++(is_frozen ? count.frozen_edges : count.short_edges);
+    add_path(s, edge);
+  }
+}
+
+/// The corner of a triangle at a model vertex.
+struct CornerThere {
+  ModelVertexId vertex;
+  HalfEdge leaving = 0;  // the half-edge that leaves the corner; the one before it arrives
+};
+
+std::vector<CornerThere> corners_at_model_vertices(const Search& s) {
+  std::vector<CornerThere> corners;
+  for (HalfEdge h = 0; h < 3 * s.mesh.triangles.size(); ++h) {
+    const ModelEntity& on = s.model.classification.entity_of_vertex[origin_of(s.mesh, h).index()];
+    if (on.dimension == EntityDimension::Vertex) corners.push_back({ModelVertexId(on.id), h});
+  }
+  std::stable_sort(corners.begin(), corners.end(), [](const CornerThere& a, const CornerThere& b) { return a.vertex < b.vertex; });
+  return corners;
+}
+
+// The corners of one vertex in sectors: neighbours across edges that are no features belong together.
+UnionFind sectors_of(const Search& s, std::span<const CornerThere> corners) {
+  std::vector<std::pair<MeshEdgeId, std::uint32_t>> sides;
+  for (std::uint32_t i = 0; i < corners.size(); ++i) {
+    for (const HalfEdge h : {corners[i].leaving, next_in_face(next_in_face(corners[i].leaving))}) {
+      const MeshEdgeId e = s.topology.edge_of[h];
+      if (e.is_valid() && s.is_feature[e.index()] == 0) sides.emplace_back(e, i);
+    }
+  }
+  std::sort(sides.begin(), sides.end());
+  UnionFind sectors(corners.size());
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    if (sides[i - 1].first == sides[i].first) sectors.join(sides[i - 1].second, sides[i].second);
+  }
+  return sectors;
+}
+
+std::size_t count_sharp(const Search& s, std::span<const CornerThere> corners) {
+  UnionFind sectors = sectors_of(s, corners);
+  std::vector<double> sum(corners.size(), 0);
+  for (std::uint32_t i = 0; i < corners.size(); ++i) {
+    const Triangle& t = s.mesh.triangles[corners[i].leaving / 3];
+    const std::array<double, 3> angles = triangle_angles_deg(s.at(t[0]), s.at(t[1]), s.at(t[2]));
+    sum[sectors.find(i)] += angles[corners[i].leaving % 3];
+  }
+  std::size_t count = 0;
+  for (std::uint32_t i = 0; i < corners.size(); ++i) count += sectors.find(i) == i && sum[i] < sharpest_deg ? 1 : 0;
+  return count;
+}
+
+void add_sharp_corners(Search& s, Obstacles& count) {
+  const std::vector<CornerThere> corners = corners_at_model_vertices(s);
+  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
+    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
+    const std::size_t sharp = count_sharp(s, std::span(corners).subspan(begin, end - begin));
+    if (sharp == 0) continue;
+    const Vec3d& at = s.at(origin_of(s.mesh, corners[begin].leaving));
+    s.obstacles.push_back({at, at});
+    count.sharp_corners += sharp;
+  }
+}
+
+/// The features round one model face: straight pieces, each once.
+struct FaceFeatures {
+  std::vector<std::array<VertexId, 2>> pieces;
+  BoxTree tree;
+  std::vector<VertexId> vertices;                     // ascending
+  std::vector<std::vector<std::uint32_t>> pieces_at;  // per one of them
+
+  [[nodiscard]] std::size_t number_of(VertexId v) const {
+    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
+  }
+};
+
+FaceFeatures features_of(const Search& s, const std::vector<ModelEdgeId>& edges) {
+  FaceFeatures f;
+  std::vector<Box3> boxes;
+  for (const ModelEdgeId e : edges) {
+    const std::span<const VertexId> path = s.model.classification.path.of(e);
+    f.vertices.insert(f.vertices.end(), path.begin(), path.end());
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+      f.pieces.push_back({path[k], path[k + 1]});
+      boxes.push_back(box_round(s.at(path[k]), s.at(path[k + 1])));
+    }
+  }
+  f.tree = BoxTree(boxes);
+  sort_unique(f.vertices);
+  f.pieces_at.resize(f.vertices.size());
+  for (std::uint32_t i = 0; i < f.pieces.size(); ++i) {
+    for (const VertexId v : f.pieces[i]) f.pieces_at[f.number_of(v)].push_back(i);
+  }
+  return f;
+}
+
+constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
+
+/// Where features are looked at.
+struct Look {
+  Vec3d at;
+  double size = 0;
+  std::vector<std::pair<VertexId, double>> starts;  // vertices to set out from, with the way to them
+  std::uint32_t piece = no_piece;                   // it is half-way along
+};
+
+/// Ways along the features of a face from a place, as far as they matter.
+class WaysAlong {
+ public:
+  WaysAlong(const Search& search, const FaceFeatures& features)
+      : search_(search), features_(features), way_(features.vertices.size(), infinity) {}
+
+  void start(const Look& look, double farthest) {
+    for (const std::size_t v : reached_) way_[v] = infinity;
+    reached_.clear();
+    for (const auto& [v, way] : look.starts) reach(features_.number_of(v), way);
+    while (!next_.empty()) {
+      std::pop_heap(next_.begin(), next_.end(), std::greater<>());
+      const auto [way, v] = next_.back();
+      next_.pop_back();
+      if (way > way_[v] || way > farthest) continue;
+      for (const std::uint32_t i : features_.pieces_at[v]) {
+        const auto& [a, b] = features_.pieces[i];
+        const VertexId other = a == features_.vertices[v] ? b : a;
+        reach(features_.number_of(other), way + length(search_.at(b) - search_.at(a)));
+      }
+    }
+  }
+
+  /// To a point of a piece.
+  [[nodiscard]] double to(std::uint32_t piece, const Vec3d& p) const {
+    const auto& [a, b] = features_.pieces[piece];
+    return std::min(way_[features_.number_of(a)] + length(p - search_.at(a)), way_[features_.number_of(b)] + length(p - search_.at(b)));
+  }
+
+ private:
+  void reach(std::size_t v, double way) {
+    if (way >= way_[v]) return;
+    if (way_[v] == infinity) reached_.push_back(v);
+    way_[v] = way;
+    next_.emplace_back(way, v);
+    std::push_heap(next_.begin(), next_.end(), std::greater<>());
+  }
+
+  const Search& search_;
+  const FaceFeatures& features_;
+  std::vector<double> way_;  // per vertex of the features
+  std::vector<std::size_t> reached_;
+  std::vector<std::pair<double, std::size_t>> next_;
+};
+
+// Is another part of the features near? Then both places are obstacles.
+bool add_close_parts(Search& s, const FaceFeatures& f, WaysAlong& ways, const Look& look) {
+  ways.start(look, way_over_gap * look.size);
+  bool is_any = false;
+  f.tree.for_each_meeting(grown(look.at, look.size), [&](std::uint32_t i) {
+    if (i == look.piece) return;
+    const Vec3d q = closest_on({s.at(f.pieces[i][0]), s.at(f.pieces[i][1])}, look.at);
+    const double gap = length(q - look.at);
+    if (gap >= look.size || ways.to(i, q) <= way_over_gap * gap) return;
+    s.obstacles.push_back({q, q});
+    is_any = true;
+  });
+  if (is_any) s.obstacles.push_back({look.at, look.at});
+  return is_any;
+}
+
+std::size_t add_close_features(Search& s, const FaceFeatures& f) {
+  WaysAlong ways(s, f);
+  std::size_t count = 0;
+  for (const VertexId v : f.vertices) count += add_close_parts(s, f, ways, {s.at(v), s.size(v), {{v, 0}}}) ? 1 : 0;
+  for (std::uint32_t i = 0; i < f.pieces.size(); ++i) {
+    const auto& [a, b] = f.pieces[i];
+    const double half = length(s.at(b) - s.at(a)) / 2;
+    const Look look{0.5 * (s.at(a) + s.at(b)), (s.size(a) + s.size(b)) / 2, {{a, half}, {b, half}}, i};
+    count += add_close_parts(s, f, ways, look) ? 1 : 0;
+  }
+  return count;
+}
+
+void add_close_features(Search& s, Obstacles& count) {
+  std::vector<std::vector<ModelEdgeId>> edges_of_face(s.model.brep.faces.size());
+  for (std::size_t e = 0; e < s.model.brep.edges.size(); ++e) {
+    if (s.model.brep.edges[ModelEdgeId(e)].is_seam) continue;
+    for (const FaceUse& use : s.model.brep.faces_of_edge.of(ModelEdgeId(e))) {
+      std::vector<ModelEdgeId>& edges = edges_of_face[use.face.index()];
+      if (edges.empty() || edges.back() != ModelEdgeId(e)) edges.emplace_back(e);
+    }
+  }
+  for (const std::vector<ModelEdgeId>& edges : edges_of_face) count.close_features += add_close_features(s, features_of(s, edges));
+}
+
+std::vector<std::uint8_t> find_free(const Search& s) {
+  std::vector<Box3> boxes;
+  for (const Obstacle& o : s.obstacles) boxes.push_back(box_round(o.from, o.to));
+  const BoxTree tree(boxes);
+  std::vector<std::uint8_t> is_near(s.mesh.points.size(), 0), is_free;
+  for (std::size_t v = 0; v < is_near.size(); ++v) {
+    const Vec3d& p = s.mesh.points[v];
+    tree.for_each_meeting(grown(p, s.sizes[v]), [&](std::uint32_t i) {
+      if (is_near[v] == 0 && length(closest_on(s.obstacles[i], p) - p) <= s.sizes[v]) is_near[v] = 1;
+    });
+  }
+  for (const Triangle& t : s.mesh.triangles)
+    is_free.push_back(std::any_of(t.begin(), t.end(), [&](VertexId v) { return is_near[v.index()] != 0; }) ? 0 : 1);
+  return is_free;
+}
+
+}  // namespace
+
+std::vector<std::uint8_t> mark_model_edges(const MeshTopology& topology, const ClassifiedBrep& model) {
+  std::vector<std::uint8_t> is_marked(topology.edges.size(), 0);
+  for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
+    if (model.brep.edges[ModelEdgeId(e)].is_seam) continue;
+    const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+      const auto at = std::lower_bound(topology.edges.begin(), topology.edges.end(), sorted_ends(path[k], path[k + 1]));
+      is_marked[static_cast<std::size_t>(at - topology.edges.begin())] = 1;
+    }
+  }
+  return is_marked;
+}
+
+FreeTriangles find_free_triangles(const SurfaceMesh& mesh, const MeshTopology& topology, const ClassifiedBrep& model,
+                                  const std::vector<double>& sizes, const std::vector<std::uint8_t>& frozen_edges) {
+  Search search{mesh, topology, model, sizes, mark_model_edges(topology, model), {}};
+  FreeTriangles result;
+  add_edges(search, frozen_edges, result.obstacles);
+  add_sharp_corners(search, result.obstacles);
+  add_close_features(search, result.obstacles);
+  result.is_free = find_free(search);
+  return result;
+}
+
+}  // namespace mortise
