@@ -10,7 +10,7 @@ set(mortise_light_sources
     boolean/join_coincident boolean/keep_faces boolean/keep_triangles boolean/merge_close_vertices boolean/moved_shells boolean/operation
     boolean/refuse_operands boolean/repair_by_snapping boolean/resolve boolean/result_regions boolean/share_within_tolerance boolean/simplify
     boolean/shared_edges boolean/stacked_triangles boolean/swap_slivers boolean/triangulate_shared_faces
-    brep/assemble_brep brep/attributes brep/build_brep brep/divide_mesh brep/lineage brep/model_mesh brep/model_queries brep/named_model brep/seams
+    brep/assemble_brep brep/attributes brep/build_brep brep/divide_mesh brep/lineage brep/model_mesh brep/model_queries brep/named_model brep/rebuild_brep brep/kept_faces brep/result_features brep/face_boundaries brep/seams
     brep/trace_edges brep/validate_brep
     io/abaqus io/cell_grid io/entity_mesh io/entity_mesh_builder io/fitted_number io/formats io/glb io/gmsh_script io/medit io/msh io/msh22 io/msh41
     io/nastran io/obj_data io/off io/ply_data io/ply_header io/vtk io/vtu io/xml
@@ -18,8 +18,8 @@ set(mortise_light_sources
     mesh/order_round_edge mesh/orient_faces mesh/repair
     mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/split_pinches
     mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners
-    remesh/model_edge_chains remesh/remesh remesh/resample_model_edges
-    size/background_view size/curvature_sources size/graph_sources size/model_sources size/size_source)
+    remesh/deviation remesh/free_triangles remesh/model_edge_chains remesh/quality_report remesh/quality_table remesh/remesh remesh/resample_model_edges
+    size/background_view size/curvature_sources size/face_curvature size/graph_sources size/model_sources size/size_source)
 list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
 list(TRANSFORM mortise_light_sources APPEND ".cpp")
 set_source_files_properties(${mortise_light_sources} PROPERTIES COMPILE_OPTIONS -Oz)

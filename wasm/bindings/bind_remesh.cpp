@@ -11,7 +11,6 @@
 #include "border.h"
 #include "models.h"
 #include "mortise/mesh/measures.h"
-#include "mortise/mesh/weld.h"
 #include "mortise/remesh/remesh.h"
 #include "sizings.h"
 
@@ -29,18 +28,6 @@ RemeshRules remesh_rules_in(const val& settings) {
   if (listener.isUndefined()) return rules;
   rules.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
   return rules;
-}
-
-/// Without data, which nothing here reads.
-SurfaceMesh welded_mesh_in(const val& object) {
-  SurfaceMesh mesh = mesh_in(object);
-  mesh.vertex_data.clear();
-  mesh.corner_data.clear();
-  return weld(mesh).mesh;
-}
-
-FaceNormals normals_of(const SurfaceMesh& mesh, const val& sources) {
-  return sources.isUndefined() ? measure_normals(mesh, build_topology(mesh)) : source_normals_in(sources);
 }
 
 /// {triangles, area, minAngleDeg, maxAngleDeg}.

@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "mortise/base/error.h"
 #include "mortise/base/sort_unique.h"
+#include "mortise/mesh/weld.h"
 
 namespace mortise::wasm {
 namespace {
@@ -169,6 +170,17 @@ FaceNormals source_normals_in(const val& sources) {
     normals.push_back(measure_normals(operand, build_topology(operand)));
   }
   return source_normals(provenance_in(sources["provenance"]), normals);
+}
+
+SurfaceMesh welded_mesh_in(const val& object) {
+  SurfaceMesh mesh = mesh_in(object);
+  mesh.vertex_data.clear();
+  mesh.corner_data.clear();
+  return weld(mesh).mesh;
+}
+
+FaceNormals normals_of(const SurfaceMesh& mesh, const val& sources) {
+  return sources.isUndefined() ? measure_normals(mesh, build_topology(mesh)) : source_normals_in(sources);
 }
 
 void check_provenance(const Provenance& p, std::size_t triangles, std::span<const ModelView> operands) {

@@ -39,6 +39,13 @@ struct BuiltModel {
 /// @param sources  {provenance, operands} of the result of an operation: the meshes it was made from
 [[nodiscard]] FaceNormals source_normals_in(const emscripten::val& sources);
 
+/// Vertices at one place are one; without data.
+[[nodiscard]] SurfaceMesh welded_mesh_in(const emscripten::val& object);
+
+/// Those of the mesh, or of the facets it has from operands.
+/// @param sources  undefined, or as in source_normals_in
+[[nodiscard]] FaceNormals normals_of(const SurfaceMesh& mesh, const emscripten::val& sources);
+
 /// @throws Error{InvalidArgument} when it is not that of a result of so many triangles made from these operands
 void check_provenance(const Provenance& provenance, std::size_t triangles, std::span<const ModelView> operands);
 

@@ -98,6 +98,8 @@ export function createAsyncApi(compileFrom, host) {
     remesh: later('remesh'),
     /** @type {typeof import('./index.js').predictTriangles} */
     predictTriangles: later('predictTriangles'),
+    /** @type {typeof import('./index.js').quality} */
+    quality: later('quality'),
     /** @type {typeof import('./index.js').slice} */
     slice: later('slice'),
     /** @type {typeof import('./index.js').cornersToVertices} */

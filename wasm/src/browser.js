@@ -31,6 +31,6 @@ function refusePath() {
 /** @type {import('./mesh_files.js').Host} */
 const host = { readFile: refusePath, writeFile: refusePath };
 
-export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, sizing, remesh, predictTriangles, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
+export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, sizing, remesh, predictTriangles, quality, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
   createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

@@ -79,6 +79,7 @@ export interface Core {
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
   remesh(mesh: CheckedMesh, settings: ModelSettings & RemeshSettings, sizing: number): Answer<RemeshResult>;
   predictTriangles(mesh: CheckedMesh, sizing: number): Answer<number>;
+  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined }, sizing: number): Answer<MeasuredMesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -107,6 +108,13 @@ export interface RemeshSettings {
   mostTriangles: number;
   rounds: number;
   lastRounds: number;
+}
+
+/** Numbers in the order of quality.js. */
+export interface MeasuredMesh {
+  numbers: Float64Array;
+  deviation?: Float64Array;
+  table: string;
 }
 
 /** What `resultModel` is told beside. */

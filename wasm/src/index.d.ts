@@ -9,6 +9,7 @@ export * from './types/booleans.js';
 export * from './types/mesh_operations.js';
 export * from './types/models.js';
 export * from './types/sizing.js';
+export * from './types/quality.js';
 export * from './types/remesh.js';
 export * from './types/files.js';
 export * from './types/errors.js';

@@ -60,6 +60,7 @@ exports.gmshProject = forward('gmshProject');
 exports.sizing = forward('sizing');
 exports.remesh = forward('remesh');
 exports.predictTriangles = forward('predictTriangles');
+exports.quality = forward('quality');
 exports.slice = forward('slice');
 exports.cornersToVertices = forward('cornersToVertices');
 exports.groupByLabel = forward('groupByLabel');

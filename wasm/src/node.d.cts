@@ -33,6 +33,7 @@ export declare const gmshProject: typeof mortise.gmshProject;
 export declare const sizing: typeof mortise.sizing;
 export declare const remesh: typeof mortise.remesh;
 export declare const predictTriangles: typeof mortise.predictTriangles;
+export declare const quality: typeof mortise.quality;
 export declare const slice: typeof mortise.slice;
 export declare const cornersToVertices: typeof mortise.cornersToVertices;
 export declare const groupByLabel: typeof mortise.groupByLabel;

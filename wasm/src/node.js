@@ -16,6 +16,6 @@ async function compileFrom(wasmUrl) {
 /** @type {import('./mesh_files.js').Host} */
 const host = { readFile: readBytes, writeFile: writeBytes };
 
-export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, sizing, remesh, predictTriangles, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
+export const { union, intersect, subtract, symmetricDifference, partition, combine, keep, imprint, implant, resolve, prepare, inspect, model, resultModel, readModel, writeModel, gmshProject, transform, roundToFloat32, make, split, splitPinches, repair, extrudeTo, sizing, remesh, predictTriangles, quality, slice, cornersToVertices, groupByLabel, readMesh, writeMesh, load } =
   createAsyncApi(compileFrom, host);
 export { MeshError } from './errors.js';

@@ -14,7 +14,7 @@ import { Sizing, makeSizing } from './sizing.js';
 /** @typedef {import('./mesh_operations.js').Ask} Ask */
 
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
-const sizeOptions = [...ownSizes, 'sizing'];
+export const sizeOptions = [...ownSizes, 'sizing'];
 const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'rounds', 'lastRounds', 'onProgress', 'signal'];
 const mostRounds = 1000;
 const mostMeshTriangles = 2 ** 32 - 1;
@@ -36,7 +36,7 @@ function checkMostTriangles(value) {
 }
 
 /** @param {unknown} value @param {string} name */
-function checkAngle(value, name) {
+export function checkAngle(value, name) {
   if (typeof value !== 'number' || !(value >= 0 && value <= 180)) throw invalidArgument(`${name} must be an angle in degrees, 0 to 180, not ${describe(value)}`);
   return value;
 }
@@ -47,7 +47,7 @@ function checkAngle(value, name) {
  * @param {any} operands
  * @returns {{ mesh: CheckedMesh, sources?: { provenance: import('./index.js').Provenance, operands: CheckedMesh[] } }}
  */
-function checkGiven(given, operands) {
+export function checkGiven(given, operands) {
   const isResult = given?.mesh !== undefined && given.provenance !== undefined;
   if (operands === undefined) {
     if (isResult) throw invalidArgument('mesh is a result: say what it was made from with operands: [a, b], or pass its .mesh');
@@ -69,7 +69,7 @@ function checkGiven(given, operands) {
  * @param {(sizing: number) => Result} call
  * @returns {Result}
  */
-function withSizing({ session, ask }, { mesh: { positions, triangles }, options }, call) {
+export function withSizing({ session, ask }, { mesh: { positions, triangles }, options }, call) {
   const { size, smallest, growth, sources, sizing } = options;
   if (sizing === undefined) {
     const made = makeSizing(session, ask, { size, smallest, growth, sources, mesh: { positions, triangles } });

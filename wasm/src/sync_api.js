@@ -26,6 +26,7 @@ import { modelFunctions } from './model_functions.js';
 import { placesOf } from './places.js';
 import { PreparedOperand, checkPrepared } from './prepared.js';
 import { listenedTo } from './progress.js';
+import { qualityFunctions } from './quality.js';
 import { remeshFunctions } from './remesh.js';
 import { checkShape } from './shapes.js';
 import { makeSizing } from './sizing.js';
@@ -234,5 +235,6 @@ export function createSyncApi(core, host, onStop) {
     ...fileFunctions(askCore, files),
     sizing: (options) => /** @type {any} */ (makeSizing(session, askCore, options)),
     ...remeshFunctions(session, askCore),
+    ...qualityFunctions(session, askCore),
   };
 }

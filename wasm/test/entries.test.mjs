@@ -21,7 +21,7 @@ import { cube, meshError } from './support.mjs';
 const require = createRequire(import.meta.url);
 const wasmFile = fileURLToPath(import.meta.resolve('mortise/core.wasm'));
 const names = [
-  ...['MeshError', 'combine', 'cornersToVertices', 'extrudeTo', 'gmshProject', 'groupByLabel', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'model', 'partition', 'predictTriangles', 'prepare', 'readMesh', 'readModel', 'remesh', 'repair'],
+  ...['MeshError', 'combine', 'cornersToVertices', 'extrudeTo', 'gmshProject', 'groupByLabel', 'implant', 'imprint', 'inspect', 'intersect', 'keep', 'load', 'make', 'model', 'partition', 'predictTriangles', 'prepare', 'quality', 'readMesh', 'readModel', 'remesh', 'repair'],
   ...['resolve', 'resultModel', 'roundToFloat32', 'sizing', 'slice', 'split', 'splitPinches', 'subtract', 'symmetricDifference', 'transform', 'union', 'writeMesh', 'writeModel'],
 ];
 

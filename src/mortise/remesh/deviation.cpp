@@ -129,26 +129,30 @@ std::vector<Piece> triangles_of(const Side& side) {
   return pieces;
 }
 
-// Vertices, middles of edges, centroids, in the order of the triangles; what is of several groups once for each.
+// What is of several groups is so once for each: keys that sort, first the vertex or edge.
+std::uint64_t keyed(std::uint32_t id, std::uint32_t group) { return std::uint64_t{id} << 32 | group; }
+
+// Centroids of triangles, vertices, middles of edges.
 std::vector<Sample> samples_of_surface(const Side& side) {
-  using Once = std::pair<std::uint32_t, std::uint32_t>;  // vertex or edge, group
   const MeshTopology topology = build_topology(side.mesh);
   std::vector<Sample> samples;
-  std::vector<Once> vertices, edges;
+  std::vector<std::uint64_t> vertices, edges;
   for (std::size_t t = 0; t < side.mesh.triangles.size(); ++t) {
     const auto& [a, b, c] = side.mesh.triangles[t];
     const std::uint32_t group = side.group_of(FaceId(t));
     samples.push_back({1.0 / 3 * (side.at(a) + side.at(b) + side.at(c)), group});
-    for (const VertexId v : side.mesh.triangles[t]) vertices.emplace_back(v.value, group);
-    for (std::size_t k = 0; k < 3; ++k) edges.emplace_back(topology.edge_of[3 * t + k].value, group);
+    for (const VertexId v : side.mesh.triangles[t]) vertices.push_back(keyed(v.value, group));
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (const MeshEdgeId e = topology.edge_of[3 * t + k]; e.is_valid()) edges.push_back(keyed(e.value, group));
+    }
   }
   sort_unique(vertices);
   sort_unique(edges);
-  for (const auto& [v, group] : vertices) samples.push_back({side.at(VertexId(v)), group});
-  for (const auto& [e, group] : edges) {
-    if (e >= topology.edges.size()) continue;
-    const auto& [a, b] = topology.edges[e];
-    samples.push_back({0.5 * (side.at(a) + side.at(b)), group});
+  const auto group_in = [](std::uint64_t key) { return static_cast<std::uint32_t>(key); };
+  for (const std::uint64_t key : vertices) samples.push_back({side.at(VertexId(key >> 32)), group_in(key)});
+  for (const std::uint64_t key : edges) {
+    const auto& [a, b] = topology.edges[key >> 32];
+    samples.push_back({0.5 * (side.at(a) + side.at(b)), group_in(key)});
   }
   return samples;
 }

@@ -80,46 +80,40 @@ void add_edges(Search& s, const std::vector<std::uint8_t>& frozen, Obstacles& co
   }
 }
 
-/// The corner of a triangle at a model vertex.
-struct CornerThere {
-  ModelVertexId vertex;
-  HalfEdge leaving = 0;  // the half-edge that leaves the corner; the one before it arrives
-};
-
-std::vector<CornerThere> corners_at_model_vertices(const Search& s) {
-  std::vector<CornerThere> corners;
+// The half-edges that leave each model vertex; in their triangles the ones before them arrive there.
+Lists<ModelVertexId, HalfEdge> corners_at_model_vertices(const Search& s) {
+  const auto entity_at = [&](HalfEdge h) { return s.model.classification.entity_of_vertex[origin_of(s.mesh, h).index()]; };
+  std::vector<HalfEdge> leaving;
   for (HalfEdge h = 0; h < 3 * s.mesh.triangles.size(); ++h) {
-    const ModelEntity& on = s.model.classification.entity_of_vertex[origin_of(s.mesh, h).index()];
-    if (on.dimension == EntityDimension::Vertex) corners.push_back({ModelVertexId(on.id), h});
+    if (entity_at(h).dimension == EntityDimension::Vertex) leaving.push_back(h);
   }
-  std::stable_sort(corners.begin(), corners.end(), [](const CornerThere& a, const CornerThere& b) { return a.vertex < b.vertex; });
-  return corners;
+  return lists_of<ModelVertexId, HalfEdge>(
+      leaving, s.model.brep.vertex_count, [&](HalfEdge h) { return ModelVertexId(entity_at(h).id); }, [](HalfEdge h) { return h; });
 }
 
 // The corners of one vertex in sectors: neighbours across edges that are no features belong together.
-UnionFind sectors_of(const Search& s, std::span<const CornerThere> corners) {
-  std::vector<std::pair<MeshEdgeId, std::uint32_t>> sides;
+UnionFind sectors_of(const Search& s, std::span<const HalfEdge> corners) {
+  std::vector<std::uint64_t> sides;  // edge, then corner
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
-    for (const HalfEdge h : {corners[i].leaving, next_in_face(next_in_face(corners[i].leaving))}) {
+    for (const HalfEdge h : {corners[i], next_in_face(next_in_face(corners[i]))}) {
       const MeshEdgeId e = s.topology.edge_of[h];
-      if (e.is_valid() && s.is_feature[e.index()] == 0) sides.emplace_back(e, i);
+      if (e.is_valid() && s.is_feature[e.index()] == 0) sides.push_back(std::uint64_t{e.value} << 32 | i);
     }
   }
   std::sort(sides.begin(), sides.end());
   UnionFind sectors(corners.size());
   for (std::size_t i = 1; i < sides.size(); ++i) {
-    if (sides[i - 1].first == sides[i].first) sectors.join(sides[i - 1].second, sides[i].second);
+    if (sides[i - 1] >> 32 == sides[i] >> 32) sectors.join(static_cast<std::uint32_t>(sides[i - 1]), static_cast<std::uint32_t>(sides[i]));
   }
   return sectors;
 }
 
-std::size_t count_sharp(const Search& s, std::span<const CornerThere> corners) {
+std::size_t count_sharp(const Search& s, std::span<const HalfEdge> corners) {
   UnionFind sectors = sectors_of(s, corners);
   std::vector<double> sum(corners.size(), 0);
   for (std::uint32_t i = 0; i < corners.size(); ++i) {
-    const Triangle& t = s.mesh.triangles[corners[i].leaving / 3];
-    const std::array<double, 3> angles = triangle_angles_deg(s.at(t[0]), s.at(t[1]), s.at(t[2]));
-    sum[sectors.find(i)] += angles[corners[i].leaving % 3];
+    const Triangle& t = s.mesh.triangles[corners[i] / 3];
+    sum[sectors.find(i)] += triangle_angles_deg(s.at(t[0]), s.at(t[1]), s.at(t[2]))[corners[i] % 3];
   }
   std::size_t count = 0;
   for (std::uint32_t i = 0; i < corners.size(); ++i) count += sectors.find(i) == i && sum[i] < sharpest_deg ? 1 : 0;
@@ -127,12 +121,11 @@ std::size_t count_sharp(const Search& s, std::span<const CornerThere> corners) {
 }
 
 void add_sharp_corners(Search& s, Obstacles& count) {
-  const std::vector<CornerThere> corners = corners_at_model_vertices(s);
-  for (std::size_t begin = 0, end = 0; begin < corners.size(); begin = end) {
-    while (end < corners.size() && corners[end].vertex == corners[begin].vertex) ++end;
-    const std::size_t sharp = count_sharp(s, std::span(corners).subspan(begin, end - begin));
+  const Lists<ModelVertexId, HalfEdge> corners = corners_at_model_vertices(s);
+  for (std::size_t v = 0; v < corners.size(); ++v) {
+    const std::size_t sharp = count_sharp(s, corners.of(ModelVertexId(v)));
     if (sharp == 0) continue;
-    const Vec3d& at = s.at(origin_of(s.mesh, corners[begin].leaving));
+    const Vec3d& at = s.at(s.model.classification.mesh_vertex[ModelVertexId(v)]);
     s.obstacles.push_back({at, at});
     count.sharp_corners += sharp;
   }

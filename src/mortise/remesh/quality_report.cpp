@@ -116,7 +116,8 @@ TriangleMarks marks_of_triangles(const Measured& m, const Marks& is_in) {
 
 MeshEdgeId edge_between(const MeshTopology& topology, VertexId a, VertexId b) {
   const std::array<VertexId, 2> ends = sorted_ends(a, b);
-  return MeshEdgeId(std::lower_bound(topology.edges.begin(), topology.edges.end(), ends) - topology.edges.begin());
+  const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), ends);
+  return MeshEdgeId(static_cast<std::size_t>(found - topology.edges.begin()));
 }
 
 // Along one model edge; a closed one goes on at its start.

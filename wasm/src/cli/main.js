@@ -19,6 +19,7 @@ import { imprintVerb } from './verbs/imprint.js';
 import { inspectVerb } from './verbs/inspect.js';
 import { makeVerb } from './verbs/make.js';
 import { modelVerb } from './verbs/model.js';
+import { qualityVerb } from './verbs/quality.js';
 import { remeshVerb } from './verbs/remesh.js';
 import { repairVerb } from './verbs/repair.js';
 import { sliceVerb } from './verbs/slice.js';
@@ -41,6 +42,7 @@ const verbs = {
   split: splitVerb,
   repair: repairVerb,
   remesh: remeshVerb,
+  quality: qualityVerb,
   extrude: extrudeVerb,
   slice: sliceVerb,
   transform: transformVerb,
@@ -66,6 +68,7 @@ Exact booleans of triangle meshes.
   mortise split IN -o OUT-%d.stl          its parts or its solids, one file each
   mortise repair IN -o OUT --STEP ...     mends what is asked for, says what it did
   mortise remesh IN -o OUT --size H       triangles of the size wanted on the same model
+  mortise quality IN --size H             how good triangles are for that size
   mortise extrude IN -o OUT --to-z Z      the solid under or over a terrain
   mortise slice IN -o OUT --plane ...     the polygons of a plane cut
   mortise transform IN -o OUT [steps]     scale, rotate, translate, mirror

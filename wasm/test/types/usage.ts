@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 // How a TypeScript program uses the package; it is compiled, never run. A wrong use must be an error.
 
-import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, predictTriangles, prepare, readMesh, readModel, remesh, repair } from 'mortise';
+import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, predictTriangles, prepare, quality, readMesh, readModel, remesh, repair } from 'mortise';
 import { resolve, resultModel, sizing, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
 import type { Attribute, AttributePolicy, BooleanResult, DataChannel, EntityPart, EntitySource, ImprintResult, Mesh, MeshErrorCode, MeshInput, Model, ModelEntity, Mortise } from 'mortise';
-import type { PreparedOperand, RemeshResult, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
+import type { PreparedOperand, QualityReport, RemeshResult, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -104,6 +104,11 @@ const finer: RemeshResult = await remesh(box, { size: 0.1, sources: wanted, feat
 await remesh(pair, { operands: [box, moved], sizing: sizes, mostTriangles: 1e6 });
 export const least: number | null = finer.after.minAngleDeg;
 export const expected: number = await predictTriangles(finer.mesh, { sizing: sizes });
+const judged: QualityReport = await quality(finer, { sizing: sizes, reference: pair, operands: [box, moved] });
+export const spread: number = judged.free.minAngleDeg + (judged.deviation?.toReference.inSizes ?? 0);
+export const shown: string = (await quality(box, { size: 1, featureAngle: 30 })).table;
+// @ts-expect-error operands are those of a reference
+await quality(box, { size: 1, operands: [box] });
 // @ts-expect-error operands are those of a result
 await remesh(box, { size: 1, operands: [box] });
 // @ts-expect-error a sizing says all about sizes
