@@ -140,8 +140,12 @@ function arraysOfRemeshed(prefix, mesh, area) {
     hi[i % 3] = Math.max(hi[i % 3], x);
   });
   if (Math.max(...hi.map((x, k) => x - lo[k])) > 300 * size) return [];
-  const { mesh: { positions, triangles }, sources, modelFaces } = mortise.remesh(mesh, { size });
-  return Object.entries({ positions, triangles, sources, modelFaces }).map(([field, array]) => [`${prefix}${field}`, bytesOf(array)]);
+  const fine = mortise.remesh(mesh, { size });
+  const { all, free, edges, deviation: { toReference, fromReference, curvesToReference, curvesFromReference } } = mortise.quality(fine, { size, reference: mesh });
+  const distances = [toReference, fromReference, curvesToReference, curvesFromReference].map(({ max }) => max);
+  const quality = Float64Array.of(all.minAngleDeg, all.meanRadiusRatio, free.count, edges.mean, edges.inBand, ...distances);
+  const { mesh: { positions, triangles }, sources, modelFaces } = fine;
+  return Object.entries({ positions, triangles, sources, modelFaces, quality }).map(([field, array]) => [`${prefix}${field}`, bytesOf(array)]);
 }
 
 /** Names and bytes of what the native tool writes for one evaluation. */

@@ -9,6 +9,7 @@
 #include <exception>
 #include <filesystem>
 #include <fstream>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -23,6 +24,8 @@
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/round_to_float32.h"
+#include "mortise/remesh/deviation.h"
+#include "mortise/remesh/quality_report.h"
 #include "mortise/remesh/remesh.h"
 #include "support/boolean_scenes.h"
 #include "support/data.h"
@@ -151,6 +154,33 @@ void write_model(const std::string& prefix, const SurfaceMesh& mesh) {
   write_array(prefix + "regionVolume", volumes);
 }
 
+struct Remeshed {
+  const SurfaceMesh& mesh;
+  const ClassifiedBrep& model;
+  const SizingProxy& sizes;
+};
+
+/// On the model as JavaScript finds it again, from faces and mesh edges.
+void write_quality(const std::string& prefix, const RemeshResult& result, const Remeshed& from) {
+  BrepRules rules;
+  rules.seams = Seams::None;
+  rules.features.face_angle_deg = 180;
+  rules.features.splits_at_labels = false;
+  for (const ModelFaceId face : result.classification.face_of_triangle) rules.features.groups.push_back(face.value);
+  for (std::size_t e = 0; e < result.classification.path.size(); ++e) {
+    const std::span<const VertexId> path = result.classification.path.of(ModelEdgeId(e));
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) rules.features.user_edges.push_back({path[k], path[k + 1]});
+  }
+  ClassifiedBrep model = build_brep(result.mesh, rules);
+  const QualityReport q = measure_quality(result.mesh, model, from.sizes);
+  model.classification.face_of_triangle = result.classification.face_of_triangle;
+  model.brep.faces.resize(from.model.brep.faces.size());
+  const Deviation d = measure_deviation(result.mesh, model, from.mesh, from.model, from.sizes, Matching::Faces);
+  write_array(prefix + "quality", std::vector{q.all.least_angle_deg, q.all.mean_radius_ratio, static_cast<double>(q.free.count),
+                                              q.edges.mean, q.edges.in_band, d.to_reference.greatest, d.from_reference.greatest,
+                                              d.curves_to_reference.greatest, d.curves_from_reference.greatest});
+}
+
 /// In some two thousand triangles, of results that are not large and no needles.
 void write_remeshed(const std::string& prefix, const SurfaceMesh& mesh, double area) {
   if (mesh.triangles.size() > 10000 || !(area > 0)) return;
@@ -161,11 +191,14 @@ void write_remeshed(const std::string& prefix, const SurfaceMesh& mesh, double a
   BrepRules rules;
   rules.seams = Seams::None;
   const FaceNormals normals = measure_normals(mesh, build_topology(mesh));
-  const RemeshResult result = remesh(mesh, build_brep(mesh, rules, normals), normals, SizingProxy({}, {.global = size}));
+  const ClassifiedBrep model = build_brep(mesh, rules, normals);
+  const SizingProxy sizes({}, {.global = size});
+  const RemeshResult result = remesh(mesh, model, normals, sizes);
   write_array(prefix + "positions", result.mesh.points);
   write_array(prefix + "triangles", result.mesh.triangles);
   write_numbers(prefix + "sources", result.sources, [](FaceId t) { return t.value; });
   write_numbers(prefix + "modelFaces", result.classification.face_of_triangle, [](ModelFaceId f) { return f.value; });
+  write_quality(prefix, result, {mesh, model, sizes});
 }
 
 void write_result(const std::string& prefix, const BooleanResult& result) {

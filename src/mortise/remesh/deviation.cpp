@@ -52,8 +52,8 @@ class PieceGroup {
   }
   void close() { tree_ = BoxTree(std::exchange(boxes_, {})); }
 
-  /// The distance to the closest one; infinite where there is none. The last answer is where the next search starts: points in any order
-  /// have the same distances, apart from rounding none, points next to each other have them sooner.
+  /// The distance to the closest one; infinite where there is none. The last answer is where the next search starts, so points near one
+  /// another are best asked for in turn; in another order a distance may differ in its last bits.
   [[nodiscard]] double distance(const Vec3d& p) {
     if (tree_.empty()) return infinity;
     double least = square_to(last_, p);
