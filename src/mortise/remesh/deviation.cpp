@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "mortise/base/error.h"
-#include "mortise/base/sort_unique.h"
 #include "mortise/geom/box_tree.h"
 #include "mortise/geom/length.h"
 #include "mortise/geom/placed_triangle.h"
@@ -20,6 +19,7 @@ namespace mortise {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr std::uint32_t no_group = std::numeric_limits<std::uint32_t>::max();
 
 /// What distances are measured from and to; only what is of one group is measured against each other.
 struct Sample {
@@ -34,13 +34,10 @@ struct Piece {
 
 double square_of(const Vec3d& v) { return dot(v, v); }
 
+double outside(double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : 0; }
+
 double square_outside(const Box3& box, const Vec3d& p) {
-  double sum = 0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double outside = std::max({box.lo[i] - p[i], p[i] - box.hi[i], 0.0});
-    sum += outside * outside;
-  }
-  return sum;
+  return square_of({outside(box.lo.x, box.hi.x, p.x), outside(box.lo.y, box.hi.y, p.y), outside(box.lo.z, box.hi.z, p.z)});
 }
 
 /// Triangles, or segments, of one group.
@@ -57,26 +54,38 @@ class PieceGroup {
   [[nodiscard]] double distance(const Vec3d& p) {
     if (tree_.empty()) return infinity;
     double least = square_to(last_, p);
-    stack_.assign(1, 0);
+    stack_.assign(1, {0, 0});
     while (!stack_.empty()) {
-      const BoxTree::Node& node = tree_.nodes()[stack_.back()];
+      const auto [square, at] = stack_.back();
       stack_.pop_back();
-      if (square_outside(node.box, p) >= least) continue;
+      if (square >= least) continue;
+      const BoxTree::Node& node = tree_.nodes()[at];
       if (node.is_leaf()) {
         look_in(node, p, least);
       } else {
-        const std::uint32_t one = node.first, other = node.first + 1;
-        const bool is_one_closer = square_outside(tree_.nodes()[one].box, p) <= square_outside(tree_.nodes()[other].box, p);
-        stack_.push_back(is_one_closer ? other : one);
-        stack_.push_back(is_one_closer ? one : other);
+        push_children(node.first, p, least);
       }
     }
     return std::sqrt(least);
   }
 
  private:
+  /// A node to look at, and the square of the way to its box.
+  struct Waiting {
+    double square = 0;
+    std::uint32_t node = 0;
+  };
+
   [[nodiscard]] double square_to(std::uint32_t piece, const Vec3d& p) const {
     return square_of(in_space(placed_[piece], closest_in(placed_[piece], p)) - p);
+  }
+
+  // The closer one on top.
+  void push_children(std::uint32_t first, const Vec3d& p, double least) {
+    Waiting closer{square_outside(tree_.nodes()[first].box, p), first}, other{square_outside(tree_.nodes()[first + 1].box, p), first + 1};
+    if (other.square < closer.square) std::swap(closer, other);
+    if (other.square < least) stack_.push_back(other);
+    if (closer.square < least) stack_.push_back(closer);
   }
 
   void look_in(const BoxTree::Node& leaf, const Vec3d& p, double& least) {
@@ -92,7 +101,7 @@ class PieceGroup {
   std::vector<PlacedTriangle> placed_;
   std::vector<Box3> boxes_;
   BoxTree tree_;
-  std::vector<std::uint32_t> stack_;
+  std::vector<Waiting> stack_;
   std::uint32_t last_ = 0;
 };
 
@@ -129,30 +138,24 @@ std::vector<Piece> triangles_of(const Side& side) {
   return pieces;
 }
 
-// What is of several groups is so once for each: keys that sort, first the vertex or edge.
-std::uint64_t keyed(std::uint32_t id, std::uint32_t group) { return std::uint64_t{id} << 32 | group; }
-
-// Centroids of triangles, vertices, middles of edges.
+// Centroids, vertices and middles of edges, triangle by triangle: points near one another follow one another. What triangles of several
+// groups share is there for each of them, now and then twice.
 std::vector<Sample> samples_of_surface(const Side& side) {
   const MeshTopology topology = build_topology(side.mesh);
   std::vector<Sample> samples;
-  std::vector<std::uint64_t> vertices, edges;
+  std::vector<std::uint32_t> group_of_vertex(side.mesh.points.size(), no_group), group_of_edge(topology.edges.size(), no_group);
+  const auto is_new = [](std::uint32_t& last, std::uint32_t group) { return std::exchange(last, group) != group; };
   for (std::size_t t = 0; t < side.mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = side.mesh.triangles[t];
+    const Triangle& corners = side.mesh.triangles[t];
     const std::uint32_t group = side.group_of(FaceId(t));
-    samples.push_back({1.0 / 3 * (side.at(a) + side.at(b) + side.at(c)), group});
-    for (const VertexId v : side.mesh.triangles[t]) vertices.push_back(keyed(v.value, group));
+    samples.push_back({1.0 / 3 * (side.at(corners[0]) + side.at(corners[1]) + side.at(corners[2])), group});
     for (std::size_t k = 0; k < 3; ++k) {
-      if (const MeshEdgeId e = topology.edge_of[3 * t + k]; e.is_valid()) edges.push_back(keyed(e.value, group));
+      const VertexId v = corners[k];
+      const MeshEdgeId e = topology.edge_of[3 * t + k];
+      if (is_new(group_of_vertex[v.index()], group)) samples.push_back({side.at(v), group});
+      if (e.is_valid() && is_new(group_of_edge[e.index()], group))
+        samples.push_back({0.5 * (side.at(v) + side.at(corners[(k + 1) % 3])), group});
     }
-  }
-  sort_unique(vertices);
-  sort_unique(edges);
-  const auto group_in = [](std::uint64_t key) { return static_cast<std::uint32_t>(key); };
-  for (const std::uint64_t key : vertices) samples.push_back({side.at(VertexId(key >> 32)), group_in(key)});
-  for (const std::uint64_t key : edges) {
-    const auto& [a, b] = topology.edges[key >> 32];
-    samples.push_back({0.5 * (side.at(a) + side.at(b)), group_in(key)});
   }
   return samples;
 }
