@@ -18,7 +18,7 @@ set(mortise_light_sources
     mesh/order_round_edge mesh/orient_faces mesh/repair
     mesh/require_closed mesh/select_faces mesh/shape_by_name mesh/shapes mesh/slice mesh/split_parts mesh/split_pinches
     mesh/triangulate_polygon mesh/volume_sign mesh/wedge_partners
-    remesh/deviation remesh/free_triangles remesh/model_edge_chains remesh/quality_report remesh/quality_table remesh/remesh remesh/resample_model_edges
+    remesh/deviation remesh/free_triangles remesh/improve_worst_triangles remesh/model_edge_chains remesh/new_crossings remesh/quality_report remesh/quality_table remesh/remesh remesh/resample_model_edges
     size/background_view size/curvature_sources size/face_curvature size/graph_sources size/model_sources size/size_source)
 list(TRANSFORM mortise_light_sources PREPEND "${CMAKE_CURRENT_SOURCE_DIR}/src/mortise/")
 list(TRANSFORM mortise_light_sources APPEND ".cpp")

@@ -101,7 +101,7 @@ TEST_CASE("collapsing a new vertex undoes the split that made it", "[remesh]") {
     HalfEdge back = 0;
     copy.for_each_leaving(to, [&](HalfEdge g) {
       if (copy.target(g) == m) back = g;
-      if (copy.origin(EditMesh::previous_in_face(g)) == m) back = EditMesh::previous_in_face(g);
+      if (copy.origin(previous_in_face(g)) == m) back = previous_in_face(g);
     });
     REQUIRE(copy.can_collapse(back, m));
     CHECK_FALSE(copy.can_collapse(back, to));

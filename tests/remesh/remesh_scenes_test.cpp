@@ -78,6 +78,7 @@ TEST_CASE("remeshed results of random operations are meshes of the same sound mo
     for (const SurfaceMesh& solid : solids) normals.push_back(measure_normals(solid, build_topology(solid)));
     const Remeshed r = remeshed(result.mesh, source_normals(result.provenance, normals), size);
     CHECK(r.faults == 0);
+    CHECK(find_self_crossings(r.after).empty());
     // Creases below 40 degrees are not kept: they are rounded off by as much as the size allows.
     CHECK(surface_area(r.after) == Approx(surface_area(r.before)).epsilon(0.06));
     ++compared;

@@ -10,6 +10,7 @@
 #include "arrays.h"
 #include "border.h"
 #include "models.h"
+#include "mortise/brep/result_features.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/remesh/remesh.h"
 #include "sizings.h"
@@ -20,8 +21,10 @@ namespace {
 using emscripten::val;
 
 RemeshRules remesh_rules_in(const val& settings) {
-  RemeshRules rules;
-  rules.rounds = settings["rounds"].as<std::uint32_t>();
+  RemeshRules rules = settings["isPaper"].as<bool>() ? paper_rules() : RemeshRules{};
+  const val rounds = settings["rounds"];
+  if (!rounds.isUndefined()) rules.rounds = emscripten::convertJSArrayToNumberVector<double>(rounds);
+  rules.audits = settings["audits"].as<std::uint32_t>();
   rules.last_rounds = settings["lastRounds"].as<std::uint32_t>();
   rules.most_triangles = settings["mostTriangles"].as<double>();
   const val listener = settings["listener"];
@@ -52,20 +55,34 @@ val model_edges_out(const Classification& on) {
   return copy_out(ends);
 }
 
-/// {mesh, sources, modelFaces, modelEdges, predicted, before, after}.
-/// @param settings  those of rules_in, with sources?, rounds, lastRounds, mostTriangles and listener: (stage, fraction) -> go on?
+/// What may change: what is marked, or layers round the graph of a result; empty: everything.
+std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) {
+  const val zone = settings["zone"], layers = settings["layers"];
+  if (!zone.isUndefined()) return emscripten::convertJSArrayToNumberVector<std::uint8_t>(zone);
+  if (layers.isUndefined()) return {};
+  return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["sources"]["provenance"])), layers.as<std::uint32_t>());
+}
+
+/// {mesh, sources, modelFaces, modelEdges, kept, newCrossings, predicted, before, after}.
+/// @param settings  those of rules_in, with sources?, isPaper, rounds?, lastRounds, audits, zone?, layers?, mostTriangles and listener:
+/// (stage, fraction)
+/// -> go on?
 val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
     const auto sizes = sizing_of(sizing);
     const SurfaceMesh mesh = welded_mesh_in(mesh_object);
     const FaceNormals normals = normals_of(mesh, settings["sources"]);
     const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals);
-    const RemeshResult result = remesh(mesh, model, normals, *sizes, remesh_rules_in(settings));
+    RemeshRules rules = remesh_rules_in(settings);
+    rules.zone = zone_in(mesh, settings);
+    const RemeshResult result = remesh(mesh, model, normals, *sizes, rules);
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     object.set("sources", ids_out(result.sources));
     object.set("modelFaces", ids_out(result.classification.face_of_triangle));
     object.set("modelEdges", model_edges_out(result.classification));
+    object.set("kept", ids_out(result.kept));
+    object.set("newCrossings", static_cast<double>(result.new_crossings.size()));
     object.set("predicted", predict_triangle_count(mesh, *sizes));
     object.set("before", shape_out(mesh));
     object.set("after", shape_out(result.mesh));

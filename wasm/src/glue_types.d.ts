@@ -106,8 +106,12 @@ export interface ModelSettings {
 export interface RemeshSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
-  rounds: number;
+  isPaper: boolean;
+  rounds: Float64Array | undefined;
+  zone: Uint8Array | undefined;
+  layers: number | undefined;
   lastRounds: number;
+  audits: number;
 }
 
 /** Numbers in the order of quality.js. */

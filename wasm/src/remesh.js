@@ -15,24 +15,57 @@ import { Sizing, makeSizing } from './sizing.js';
 
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
-const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'rounds', 'lastRounds', 'onProgress', 'signal'];
+const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'preset', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
 const mostRounds = 1000;
+const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
 
-/**
- * A whole number of rounds.
- * @param {unknown} value
- * @param {string} name
- */
-function checkRounds(value, name) {
-  if (!Number.isInteger(value) || Number(value) < 0 || Number(value) > mostRounds) throw invalidArgument(`${name} must be a number of rounds, 0 to ${mostRounds}, not ${describe(value)}`);
+const presets = ['default', 'paper'];
+
+/** @param {unknown} value @param {string} name */
+function checkTimes(value, name) {
+  if (!Number.isInteger(value) || Number(value) < 0 || Number(value) > mostRounds) throw invalidArgument(`${name} must be a whole number, 0 to ${mostRounds}, not ${describe(value)}`);
   return Number(value);
+}
+
+/** @param {unknown} value */
+function checkRounds(value) {
+  if (value === undefined) return undefined;
+  const isFine = Array.isArray(value) && value.length <= mostRounds && value.every((times) => typeof times === 'number' && times >= 1 && times <= coarsest);
+  if (!isFine) throw invalidArgument(`rounds must be an array of at most ${mostRounds} numbers, 1 to ${coarsest}, not ${describe(value)}`);
+  return Float64Array.from(value);
 }
 
 /** @param {unknown} value */
 function checkMostTriangles(value) {
   if (typeof value !== 'number' || !(value >= 1 && value <= mostMeshTriangles)) throw invalidArgument(`mostTriangles must be a number, 1 to ${mostMeshTriangles}, not ${describe(value)}`);
   return value;
+}
+
+/**
+ * Marks of triangles.
+ * @param {any} zone
+ * @param {number} triangles
+ */
+function checkZone(zone, triangles) {
+  if (zone === undefined) return undefined;
+  const isList = Array.isArray(zone) || (ArrayBuffer.isView(zone) && !(zone instanceof DataView));
+  const marks = isList ? Array.from(/** @type {ArrayLike<unknown>} */ (zone)) : [];
+  if (!isList || !marks.every((mark) => mark === 0 || mark === 1)) throw invalidArgument(`zone must be an array of 0 and 1, not ${describe(zone)}`);
+  if (marks.length !== triangles) throw invalidArgument(`zone has ${marks.length} marks, not one for each of ${triangles} triangles`);
+  return Uint8Array.from(/** @type {number[]} */ (marks));
+}
+
+/**
+ * @param {any} layers
+ * @param {boolean} isResult
+ * @param {any} zone
+ */
+function checkLayers(layers, isResult, zone) {
+  if (layers === undefined) return undefined;
+  if (!isResult) throw invalidArgument('layers are those round the graph of a result: pass it with operands: [a, b]');
+  if (zone !== undefined) throw invalidArgument('zone and layers say the same: leave out one');
+  return checkTimes(layers, 'layers');
 }
 
 /** @param {unknown} value @param {string} name */
@@ -95,11 +128,13 @@ export function remeshFunctions(session, ask) {
   return {
     remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, remeshOptions);
-      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, rounds = 3, lastRounds = 10 } = checked;
+      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, preset = 'default', rounds, lastRounds = 10, audits = 6 } = checked;
+      if (!presets.includes(preset)) throw invalidArgument(`preset must be ${presets.map((name) => `'${name}'`).join(' or ')}, not ${describe(preset)}`);
       const { mesh, sources } = checkGiven(given, operands);
       const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
-      const limits = { mostTriangles: checkMostTriangles(mostTriangles), rounds: checkRounds(rounds, 'rounds'), lastRounds: checkRounds(lastRounds, 'lastRounds') };
-      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, ...limits };
+      const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
+      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, sources !== undefined, checked.zone) };
+      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, ...limits, ...zones };
       const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));
       return withSizing({ session, ask }, { mesh, options: checked }, remeshWith);
     },

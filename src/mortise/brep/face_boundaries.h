@@ -24,8 +24,6 @@ struct TouchedVertex {
 /// Per half-edge the other one of its edge, where triangles are joined; `no_half_edge` at features.
 using HalfEdgesAcross = std::vector<HalfEdge>;
 
-inline constexpr HalfEdge no_half_edge = 0xffffffffU;
-
 /// @param is_feature  per edge. Edges that are no features have two triangles that run opposite ways.
 [[nodiscard]] HalfEdgesAcross half_edges_across(const MeshTopology& topology, const std::vector<std::uint8_t>& is_feature);
 

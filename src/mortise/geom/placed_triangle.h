@@ -15,6 +15,11 @@ struct PlanePoint {
   double x = 0, y = 0;
 };
 
+struct ClosestPlace {
+  PlanePoint at;
+  bool is_inside = false;  ///< a foot of the perpendicular, on no edge
+};
+
 /// The longest edge runs from the origin along the first axis; the third corner lies above it, between its ends.
 struct PlacedTriangle {
   Vec3d origin, axis_x, axis_y;   ///< axes of length 1, or zero where there is no direction
@@ -31,7 +36,7 @@ struct PlacedTriangle {
 [[nodiscard]] PlacedTriangle place_triangle(const std::array<Vec3d, 3>& corners, std::uint8_t count = 3);
 
 /// The closest point of it to one of space, in its axes.
-[[nodiscard]] PlanePoint closest_in(const PlacedTriangle& t, const Vec3d& p);
+[[nodiscard]] ClosestPlace closest_in(const PlacedTriangle& t, const Vec3d& p);
 
 [[nodiscard]] inline Vec3d in_space(const PlacedTriangle& t, const PlanePoint& p) { return t.origin + p.x * t.axis_x + p.y * t.axis_y; }
 

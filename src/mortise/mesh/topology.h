@@ -18,9 +18,11 @@ using MeshEdgeId = Id<struct MeshEdgeTag>;  ///< edge of one MeshTopology
 
 /// Half-edge 3 f + k runs along face f from its corner k to the next corner.
 using HalfEdge = std::uint32_t;
+inline constexpr HalfEdge no_half_edge = 0xffffffffU;
 
 [[nodiscard]] inline FaceId face_of(HalfEdge h) { return FaceId(h / 3); }
 [[nodiscard]] inline HalfEdge next_in_face(HalfEdge h) { return h % 3 == 2 ? h - 2 : h + 1; }
+[[nodiscard]] inline HalfEdge previous_in_face(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 [[nodiscard]] inline VertexId origin_of(const SurfaceMesh& mesh, HalfEdge h) { return mesh.triangles[h / 3][h % 3]; }
 
 /// The unordered edges of a mesh and the half-edges that use them.

@@ -77,7 +77,7 @@ class PieceGroup {
   };
 
   [[nodiscard]] double square_to(std::uint32_t piece, const Vec3d& p) const {
-    return square_of(in_space(placed_[piece], closest_in(placed_[piece], p)) - p);
+    return square_of(in_space(placed_[piece], closest_in(placed_[piece], p).at) - p);
   }
 
   // The closer one on top.

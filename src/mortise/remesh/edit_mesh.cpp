@@ -200,7 +200,7 @@ VertexId EditMesh::split_edge(HalfEdge h, const Vec3d& point) {
   const VertexId a = origin(h);
   const ModelEntity entity =
       on_edge ? ModelEntity{EntityDimension::Edge, model_edge(h).value} : ModelEntity{EntityDimension::Face, face(face_of(h)).value};
-  std::vector<HalfEdge> uses, parts;
+  Uses uses, parts;
   for_each_use(h, [&](HalfEdge u) { uses.push_back(u); });
   const VertexId m = add_vertex(point, entity);
   for (const HalfEdge u : uses) parts.push_back(split_triangle(u, m));
@@ -217,7 +217,7 @@ VertexId EditMesh::split_edge(HalfEdge h, const Vec3d& point) {
     links_[from_a ? uses[k] : parts[k]] = ring_bit | (next_from_a ? uses[next] : parts[next]);
     links_[from_a ? parts[k] : uses[k]] = ring_bit | (next_from_a ? parts[next] : uses[next]);
   }
-  set_new_fans(m, std::move(parts));
+  set_new_fans(m, {parts.begin(), parts.end()});
   return m;
 }
 
@@ -262,8 +262,9 @@ void EditMesh::swap_edge(HalfEdge h) {
 
 bool EditMesh::can_collapse(HalfEdge h, VertexId gone) const {
   const VertexId a = gone, b = other_end(h, gone);
-  if (!is_inside_face(a) && !(is_inside_edge(a) && is_on_model_edge(h))) return false;
-  std::vector<VertexId> apexes, of_b;
+  if (!may_leave_along(h, a)) return false;
+  SmallList<VertexId, 4> apexes;
+  SmallList<VertexId, 16> of_b;
   bool is_fine = true;
   for_each_use(h, [&](HalfEdge u) {
     const HalfEdge n = next_in_face(u), p = previous_in_face(u);
@@ -280,10 +281,16 @@ bool EditMesh::can_collapse(HalfEdge h, VertexId gone) const {
     if (is_inside_face(x) && valence(x) < 4) return false;
   }
   if (is_inside_face(b) && valence(a) + valence(b) < 7) return false;
+  const auto is_apex = [&](VertexId w) { return std::find(apexes.begin(), apexes.end(), w) != apexes.end(); };
   for_each_neighbour(b, [&](VertexId w) { of_b.push_back(w); });
   for_each_neighbour(a, [&](VertexId w) {
     const bool is_common = std::find(of_b.begin(), of_b.end(), w) != of_b.end();
-    is_fine = is_fine && (!is_common || std::find(apexes.begin(), apexes.end(), w) != apexes.end());
+    is_fine = is_fine && (!is_common || is_apex(w));
+  });
+  // Nor may a triangle of a come to lie on one of b, as in a tetrahedron.
+  for_each_leaving(a, [&](HalfEdge g) {
+    if (!is_fine || !is_apex(target(g)) || !is_apex(apex(g))) return;
+    for_each_use(next_in_face(g), [&](HalfEdge u) { is_fine = is_fine && apex(u) != b; });
   });
   return is_fine;
 }
@@ -310,10 +317,10 @@ void EditMesh::close_gap(HalfEdge u, HalfEdge from_a) {
 
 void EditMesh::collapse_edge(HalfEdge h, VertexId gone) {
   const VertexId a = gone, b = other_end(h, gone);
-  std::vector<HalfEdge> uses, leaving;
+  Uses uses, from_a;
+  SmallList<HalfEdge, 16> leaving;
   for_each_use(h, [&](HalfEdge u) { uses.push_back(u); });
   for_each_leaving(a, [&](HalfEdge g) { leaving.push_back(g); });
-  std::vector<HalfEdge> from_a;
   for (const HalfEdge u : uses) {
     const bool is_from_b = origin(u) == b;
     from_a.push_back(is_from_b ? next_in_face(u) : previous_in_face(u));

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "mortise/base/small_list.h"
 #include "mortise/brep/brep.h"
 #include "mortise/mesh/topology.h"
 
@@ -26,6 +27,7 @@ class EditMesh {
 
   [[nodiscard]] std::size_t vertex_count() const { return points.size(); }    ///< with holes
   [[nodiscard]] std::size_t triangle_count() const { return faces_.size(); }  ///< with holes
+  [[nodiscard]] std::size_t live_triangle_count() const { return faces_.size() - free_triangles_.size(); }
   [[nodiscard]] std::size_t half_edge_count() const { return corners_.size(); }
   [[nodiscard]] bool has(VertexId v) const { return entities_[v.index()].dimension != EntityDimension::None; }
   [[nodiscard]] bool has(FaceId t) const { return corners_[3 * t.index()].is_valid(); }
@@ -48,12 +50,16 @@ class EditMesh {
   [[nodiscard]] HalfEdge next_use(HalfEdge h) const { return links_[h] & ~ring_bit; }
   /// Of a half-edge on one.
   [[nodiscard]] ModelEdgeId model_edge(HalfEdge h) const { return model_edges_[h]; }
-  [[nodiscard]] static HalfEdge previous_in_face(HalfEdge h) { return h % 3 == 0 ? h + 2 : h - 1; }
 
   /// One closed fan, free to move in its face?
   [[nodiscard]] bool is_inside_face(VertexId v) const { return fan_list_[v.index()] == no_list; }
   /// One open fan for every use of the model edge, free to move along it?
   [[nodiscard]] bool is_inside_edge(VertexId v) const { return entities_[v.index()].dimension == EntityDimension::Edge; }
+
+  /// Does the edge lie on the entity this end of it is free to move in?
+  [[nodiscard]] bool may_leave_along(HalfEdge h, VertexId v) const {
+    return is_inside_face(v) || (is_inside_edge(v) && is_on_model_edge(h));
+  }
 
   /// Calls visit(h) for every half-edge that leaves v, fan by fan, counterclockwise in each.
   template <class Visit>
@@ -134,6 +140,8 @@ class EditMesh {
     const std::uint32_t list = fan_list_[v.index()];
     return list == no_list ? std::span<const HalfEdge>(&leaving_[v.index()], 1) : std::span<const HalfEdge>(fan_lists_[list]);
   }
+
+  using Uses = SmallList<HalfEdge, 4>;
 
   void link_uses(const SurfaceMesh& mesh, const MeshTopology& topology, const ClassifiedBrep& model);
   void find_fans();

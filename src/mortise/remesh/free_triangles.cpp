@@ -53,7 +53,7 @@ Box3 grown(const Vec3d& p, double by) { return {p - Vec3d{by, by, by}, p + Vec3d
 
 Vec3d closest_on(const Obstacle& o, const Vec3d& p) {
   const PlacedTriangle placed = place_triangle({o.from, o.to, o.to}, o.from == o.to ? 1 : 2);
-  return in_space(placed, closest_in(placed, p));
+  return in_space(placed, closest_in(placed, p).at);
 }
 
 void add_path(Search& s, ModelEdgeId edge) {

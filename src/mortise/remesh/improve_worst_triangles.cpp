@@ -5,9 +5,11 @@
 #include <cmath>
 #include <vector>
 
+#include "mortise/base/sort_unique.h"
 #include "mortise/base/trig.h"
 #include "mortise/remesh/passes.h"
 #include "mortise/remesh/triangle_shape.h"
+#include "mortise/remesh/vertex_ball.h"
 
 namespace mortise {
 namespace {
@@ -26,12 +28,12 @@ struct WorstTriangle {
   FaceId triangle;
 };
 
-std::vector<WorstTriangle> worst_triangles(const WorkingMesh& w, double limit) {
+std::vector<WorstTriangle> worst_of(const WorkingMesh& w, const std::vector<FaceId>& triangles, double limit) {
   std::vector<WorstTriangle> worst;
-  for (std::size_t t = 0; t < w.mesh.triangle_count(); ++t) {
-    if (!w.mesh.has(FaceId(t)) || !w.may_change(FaceId(t))) continue;
-    const double cosine = sharpest(w, FaceId(t));
-    if (cosine > limit) worst.push_back({cosine, FaceId(t)});
+  for (const FaceId t : triangles) {
+    if (!w.mesh.has(t) || !w.may_change(t)) continue;
+    const double cosine = sharpest(w, t);
+    if (cosine > limit) worst.push_back({cosine, t});
   }
   std::sort(worst.begin(), worst.end(), [](const WorstTriangle& a, const WorstTriangle& b) {
     return a.cosine != b.cosine ? a.cosine > b.cosine : a.triangle < b.triangle;
@@ -45,14 +47,6 @@ std::array<HalfEdge, 3> by_length(const WorkingMesh& w, FaceId t) {
   std::array<HalfEdge, 3> sides{first, first + 1, first + 2};
   std::stable_sort(sides.begin(), sides.end(), [&](HalfEdge a, HalfEdge b) { return metric_length(w, a) < metric_length(w, b); });
   return sides;
-}
-
-// The sharpest corner of the triangles round a vertex, as its cosine, if that were elsewhere.
-double sharpest_round(const WorkingMesh& w, VertexId v, const Vec3d& p) {
-  double cosine = -1;
-  w.mesh.for_each_leaving(
-      v, [&](HalfEdge h) { cosine = std::max(cosine, greatest_cosine(p, at(w, w.mesh.target(h)), at(w, w.mesh.apex(h)))); });
-  return cosine;
 }
 
 bool swap_dulls(const WorkingMesh& w, HalfEdge h, double longest) {
@@ -84,7 +78,10 @@ bool collapse_dulls(const WorkingMesh& w, HalfEdge h, VertexId gone) {
     const VertexId x = w.mesh.target(g), y = w.mesh.apex(g);
     if (x != stays && y != stays) after = std::max(after, greatest_cosine(at(w, stays), at(w, x), at(w, y)));
   });
-  return after < sharpest_round(w, gone, at(w, gone)) - least_gain;
+  double before = -1;
+  w.mesh.for_each_leaving(
+      gone, [&](HalfEdge g) { before = std::max(before, greatest_cosine(at(w, gone), at(w, w.mesh.target(g)), at(w, w.mesh.apex(g)))); });
+  return after < before - least_gain;
 }
 
 bool try_collapse(WorkingMesh& w, FaceId t, double longest) {
@@ -99,44 +96,74 @@ bool try_collapse(WorkingMesh& w, FaceId t, double longest) {
 }
 
 // Tries steps towards and away from its neighbours that make the sharpest corner round a vertex duller.
-bool try_move(WorkingMesh& w, VertexId v) {
-  if (!w.mesh.is_inside_face(v) || !w.may_move(v)) return false;
+void try_move(WorkingMesh& w, VertexBall& ball, VertexId v) {
+  if (!w.mesh.is_inside_face(v) || !w.may_move(v)) return;
+  ball.gather(w, v);
   const Vec3d from = at(w, v);
   const ModelFaceId face(w.mesh.entity(v).id);
-  std::uint32_t near = 0;
-  std::vector<VertexId> ring;
-  w.mesh.for_each_leaving(v, [&](HalfEdge h) {
-    near = w.mesh.references[face_of(h).index()];
-    ring.push_back(w.mesh.target(h));
-  });
-  double best = sharpest_round(w, v, from);
-  Vec3d best_place = from;
-  for (const VertexId x : ring) {
+  double sharpest = ball.sharpest_at(from);
+  SurfacePlace best{from, w.nears[v.index()]};
+  for (const VertexBall::BallTriangle& t : ball.triangles()) {
     for (const double step : {0.2, 0.08, 0.02, -0.02, -0.08, -0.2}) {
-      const Vec3d beside = from + step * (at(w, x) - from);
-      if (!(sharpest_round(w, v, beside) < best - least_gain)) continue;
-      const Vec3d place = w.reference.project(face, beside, near).point;
-      const double cosine = sharpest_round(w, v, place);
-      if (!(cosine < best - least_gain) || ball_quality(w, v, place) < 0) continue;
-      best = cosine;
-      best_place = place;
+      const Vec3d beside = from + step * (t.x - from);
+      if (!(ball.sharpest_at(beside) < sharpest - least_gain)) continue;
+      const SurfacePlace place = place_on_face(w, face, beside, w.nears[v.index()], w.sizes[v.index()]);
+      const double cosine = ball.sharpest_at(place.point);
+      if (!(cosine < sharpest - least_gain) || ball.quality_at(place.point) < 0) continue;
+      sharpest = cosine;
+      best = place;
     }
   }
-  if (best_place == from) return false;
-  w.mesh.points[v.index()] = best_place;
-  w.sizes[v.index()] = w.proxy.size_at(best_place);
-  return true;
+  if (!(best.point == from)) move_vertex(w, v, best);
+}
+
+void mend(WorkingMesh& w, VertexBall& ball, FaceId t, double longest) {
+  if (try_swap(w, t, longest) || try_collapse(w, t, longest)) return;
+  for (const VertexId v : w.mesh.triangle(t)) try_move(w, ball, v);
+}
+
+// With their neighbours, sorted.
+std::vector<VertexId> widened(const WorkingMesh& w, const std::vector<VertexId>& vertices) {
+  std::vector<VertexId> wider = vertices;
+  for (const VertexId v : vertices) {
+    if (w.mesh.has(v)) w.mesh.for_each_neighbour(v, [&](VertexId x) { wider.push_back(x); });
+  }
+  sort_unique(wider);
+  return wider;
+}
+
+std::vector<VertexId> movable_of(const WorkingMesh& w, std::vector<VertexId> vertices) {
+  std::erase_if(vertices, [&](VertexId v) { return !w.mesh.has(v) || !w.mesh.is_inside_face(v) || !w.may_move(v); });
+  return vertices;
+}
+
+std::vector<FaceId> triangles_round(const WorkingMesh& w, const std::vector<VertexId>& vertices) {
+  std::vector<FaceId> triangles;
+  for (const VertexId v : vertices) {
+    if (w.mesh.has(v)) w.mesh.for_each_leaving(v, [&](HalfEdge h) { triangles.push_back(face_of(h)); });
+  }
+  sort_unique(triangles);
+  return triangles;
 }
 
 }  // namespace
 
-void improve_worst_triangles(WorkingMesh& w, double least_angle_deg, double longest) {
+void improve_worst_triangles(WorkingMesh& w, double least_angle_deg, double longest, std::uint32_t rounds) {
   const double limit = trig::cos_deg(least_angle_deg);
-  for (const WorstTriangle& worst : worst_triangles(w, limit)) {
-    const FaceId t = worst.triangle;
-    if (!w.mesh.has(t) || !(sharpest(w, t) > limit)) continue;
-    if (try_swap(w, t, longest) || try_collapse(w, t, longest)) continue;
-    for (const VertexId v : w.mesh.triangle(t)) try_move(w, v);
+  VertexBall ball;
+  std::vector<FaceId> suspects;
+  for (std::size_t t = 0; t < w.mesh.triangle_count(); ++t) suspects.emplace_back(t);
+  for (std::uint32_t round = 0; round < rounds; ++round) {
+    std::vector<VertexId> touched;
+    for (const WorstTriangle& worst : worst_of(w, suspects, limit)) {
+      const FaceId t = worst.triangle;
+      if (!w.mesh.has(t) || !(sharpest(w, t) > limit)) continue;
+      for (const VertexId v : w.mesh.triangle(t)) touched.push_back(v);
+      mend(w, ball, t, longest);
+    }
+    touched = widened(w, widened(w, touched));
+    if (round + 2 < rounds) smooth_vertices(w, movable_of(w, touched), 0);
+    suspects = triangles_round(w, touched);
   }
 }
 

@@ -5,8 +5,6 @@
 #include <algorithm>
 
 namespace mortise {
-namespace {}  // namespace
-
 namespace {
 
 /// A mesh edge on a model edge, seen from one of its ends.
@@ -65,7 +63,7 @@ HalfEdge find_step(const WorkingMesh& w, VertexId a, VertexId b, ModelEdgeId edg
   HalfEdge found = no_half_edge;
   w.mesh.for_each_leaving(a, [&](HalfEdge h) {
     if (w.mesh.is_on_model_edge(h) && w.mesh.model_edge(h) == edge && w.mesh.target(h) == b) found = std::min(found, h);
-    const HalfEdge back = EditMesh::previous_in_face(h);
+    const HalfEdge back = previous_in_face(h);
     if (w.mesh.is_on_model_edge(back) && w.mesh.model_edge(back) == edge && w.mesh.origin(back) == b) found = std::min(found, back);
   });
   return found;

@@ -3,14 +3,11 @@
 // Mesh vertices along model edges, while these change.
 #pragma once
 
-#include <limits>
 #include <vector>
 
 #include "mortise/remesh/working_mesh.h"
 
 namespace mortise {
-
-inline constexpr HalfEdge no_half_edge = std::numeric_limits<HalfEdge>::max();
 
 /// Per model edge its mesh vertices from start to end; empty for seams.
 [[nodiscard]] IdVector<ModelEdgeId, std::vector<VertexId>> trace_chains(const WorkingMesh& w);

@@ -89,34 +89,61 @@ bool ReferenceSurface::lies_in_plane(const Face& face) const {
   });
 }
 
-SurfacePlace ReferenceSurface::project(ModelFaceId face, const Vec3d& p, std::uint32_t near) const {
-  return faces_[face].is_plane ? SurfacePlace{p, near} : locate(face, p, near);
+ReferenceSurface::Foot ReferenceSurface::foot_on(std::uint32_t triangle, const Vec3d& p) const {
+  const ClosestPlace closest = closest_in(placed_[triangle], p);
+  const Vec3d point = in_space(placed_[triangle], closest.at);
+  return {{point, triangle}, square_of(point - p), closest.is_inside};
 }
 
-SurfacePlace ReferenceSurface::place_on(std::uint32_t triangle, const Vec3d& p) const {
-  return {in_space(placed_[triangle], closest_in(placed_[triangle], p)), triangle};
-}
-
-std::uint32_t ReferenceSurface::walk(const Vec3d& p, std::uint32_t from) const {
-  double least = square_of(place_on(from, p).point - p);
-  for (std::uint32_t before = from;; before = from) {
-    for (HalfEdge h = 3 * before; h < 3 * before + 3; ++h) {
-      const std::uint32_t t = opposite_[h] / 3;
-      const double square = t == before ? least : square_of(place_on(t, p).point - p);
-      if (!(square < least)) continue;
-      least = square;
-      from = t;
-    }
-    if (from == before) return from;
+ReferenceSurface::Foot ReferenceSurface::closest_beside(const Foot& from, const Vec3d& p) const {
+  Foot best = from;
+  for (HalfEdge h = 3 * from.place.triangle; h < 3 * from.place.triangle + 3; ++h) {
+    if (opposite_[h] == h) continue;
+    const Foot foot = foot_on(opposite_[h] / 3, p);
+    if (foot.square < best.square) best = foot;
   }
+  return best;
 }
 
-SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uint32_t near) const {
-  const Face& on = faces_[face];
-  const std::span<const BoxTree::Node> nodes = on.tree.nodes();
-  SurfacePlace place = place_on(walk(p, near), p);
-  // A little more than that: the tree finds the least, and the lowest triangle of several, wherever the walk began.
-  double least = square_of(place.point - p) * (1 + 1e-9) + std::numeric_limits<double>::min();
+// Of the triangles of the face round the corner it is closest to.
+ReferenceSurface::Foot ReferenceSurface::closest_round_corner(const Foot& from, const Vec3d& p) const {
+  const std::uint32_t t = from.place.triangle;
+  HalfEdge corner = 3 * t;
+  for (HalfEdge h = 3 * t + 1; h < 3 * t + 3; ++h) {
+    const auto square_to = [&](HalfEdge c) { return square_of(points_[triangles_[t][c % 3].index()] - from.place.point); };
+    if (square_to(h) < square_to(corner)) corner = h;
+  }
+  Foot best = from;
+  const auto go_round = [&](auto step) {
+    for (HalfEdge h = step(corner); h != no_half_edge && h != corner; h = step(h)) {
+      const Foot foot = foot_on(h / 3, p);
+      if (foot.square < best.square) best = foot;
+    }
+  };
+  go_round([&](HalfEdge h) {
+    const HalfEdge back = previous_in_face(h);
+    return opposite_[back] == back ? no_half_edge : opposite_[back];
+  });
+  go_round([&](HalfEdge h) { return opposite_[h] == h ? no_half_edge : next_in_face(opposite_[h]); });
+  return best;
+}
+
+ReferenceSurface::Foot ReferenceSurface::walk(const Vec3d& p, std::uint32_t from) const {
+  Foot here = foot_on(from, p);
+  while (!here.is_inside) {
+    Foot next = closest_beside(here, p);
+    if (next.place.triangle == here.place.triangle) next = closest_round_corner(here, p);
+    if (next.place.triangle == here.place.triangle) break;
+    here = next;
+  }
+  return here;
+}
+
+ReferenceSurface::Foot ReferenceSurface::closest_of(const Face& face, const Vec3d& p, const Foot& start) const {
+  const std::span<const BoxTree::Node> nodes = face.tree.nodes();
+  // A little more than at the start: of several equally close triangles the lowest is found, wherever the walk ended.
+  Foot best = start;
+  best.square = start.square * (1 + 1e-9) + std::numeric_limits<double>::min();
   bool is_found = false;
   struct Entry {
     std::uint32_t node = 0;
@@ -127,16 +154,15 @@ SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uin
   stack[depth++] = {0, 0};
   while (depth > 0) {
     const Entry entry = stack[--depth];
-    if (entry.square > least) continue;
+    if (entry.square > best.square) continue;
     const BoxTree::Node& node = nodes[entry.node];
     if (node.is_leaf()) {
-      for (const BoxTree::Item& item : on.tree.items_of(node)) {
-        if (square_distance(item.box, p) > least) continue;
-        const SurfacePlace candidate = place_on(on.triangles[item.id], p);
-        const double square = square_of(candidate.point - p);
-        if (square > least || (square == least && is_found && candidate.triangle > place.triangle)) continue;
-        least = square;
-        place = candidate;
+      for (const BoxTree::Item& item : face.tree.items_of(node)) {
+        if (square_distance(item.box, p) > best.square) continue;
+        const Foot foot = foot_on(face.triangles[item.id], p);
+        const bool is_later = foot.square == best.square && is_found && foot.place.triangle > best.place.triangle;
+        if (foot.square > best.square || is_later) continue;
+        best = foot;
         is_found = true;
       }
       continue;
@@ -144,10 +170,15 @@ SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uin
     Entry closer{node.first, square_distance(nodes[node.first].box, p)},
         other{node.first + 1, square_distance(nodes[node.first + 1].box, p)};
     if (other.square < closer.square) std::swap(closer, other);
-    if (other.square <= least) stack[depth++] = other;
-    if (closer.square <= least) stack[depth++] = closer;
+    if (other.square <= best.square) stack[depth++] = other;
+    if (closer.square <= best.square) stack[depth++] = closer;
   }
-  return place;
+  return best;
+}
+
+SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uint32_t near, double within) const {
+  const Foot foot = walk(p, near);
+  return foot.square <= within * within ? foot.place : closest_of(faces_[face], p, foot).place;
 }
 
 Vec3d ReferenceSurface::point_at(ModelEdgeId edge, double arc) const {

@@ -24,11 +24,9 @@ class ReferenceSurface {
   /// Copies what it needs of the mesh.
   ReferenceSurface(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals);
 
-  /// The closest point of a model face. In a plane: the point itself.
-  /// @param near  a triangle of the face that may be close by: a start for the search, it decides nothing
-  [[nodiscard]] SurfacePlace project(ModelFaceId face, const Vec3d& p, std::uint32_t near) const;
-  /// The closest point also where the face is plane.
-  [[nodiscard]] SurfacePlace locate(ModelFaceId face, const Vec3d& p, std::uint32_t near) const;
+  /// A point of a model face no other point near it is closer to; one of the closest of the whole face where that is further than `within`.
+  /// @param near  a triangle of the face to begin at
+  [[nodiscard]] SurfacePlace locate(ModelFaceId face, const Vec3d& p, std::uint32_t near, double within = 0) const;
 
   /// Of length 1, or zero when it has none.
   [[nodiscard]] const Vec3d& normal(std::uint32_t triangle) const { return normals_[triangle]; }
@@ -47,10 +45,20 @@ class ReferenceSurface {
     bool is_plane = false;
   };
 
+  /// The closest place of one triangle.
+  struct Foot {
+    SurfacePlace place;
+    double square = 0;  ///< of the distance
+    bool is_inside = false;
+  };
+
   [[nodiscard]] bool lies_in_plane(const Face& face) const;
-  [[nodiscard]] SurfacePlace place_on(std::uint32_t triangle, const Vec3d& p) const;
-  /// A closer triangle, from neighbour to neighbour as long as one is closer.
-  [[nodiscard]] std::uint32_t walk(const Vec3d& p, std::uint32_t from) const;
+  [[nodiscard]] Foot foot_on(std::uint32_t triangle, const Vec3d& p) const;
+  /// From triangle to triangle as long as one beside it is closer.
+  [[nodiscard]] Foot walk(const Vec3d& p, std::uint32_t from) const;
+  [[nodiscard]] Foot closest_beside(const Foot& from, const Vec3d& p) const;
+  [[nodiscard]] Foot closest_round_corner(const Foot& from, const Vec3d& p) const;
+  [[nodiscard]] Foot closest_of(const Face& face, const Vec3d& p, const Foot& start) const;
 
   std::vector<Vec3d> points_;
   std::vector<Triangle> triangles_;

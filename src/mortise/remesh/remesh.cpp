@@ -8,6 +8,7 @@
 
 #include "mortise/mesh/measures.h"
 #include "mortise/remesh/model_edge_chains.h"
+#include "mortise/remesh/new_crossings.h"
 #include "mortise/remesh/passes.h"
 #include "mortise/remesh/triangle_shape.h"
 
@@ -16,35 +17,36 @@ namespace {
 
 constexpr int sweeps = 3;                                   // of moves per round
 constexpr double splits_allowed = 4;                        // over the count foretold, per round
+constexpr double long_when_few = 1.2;                       // edges longer than this may be split when triangles are too few
 constexpr double good_enough = 0.75;                        // a mean ratio, about 26 degrees
+constexpr double even_enough = 0.3;                         // a change of the size on a triangle, of the size
+constexpr int deepest = 8;                                  // quarters of quarters
 constexpr double triangles_per_square = 2.309401076758503;  // 4 / sqrt(3): equilateral ones of edge 1 on area 1
 
-// Small against the size there, or in so many pieces that it does not matter.
-double count_on(const Vec3d& a, const Vec3d& b, const Vec3d& c, const SizingProxy& sizes) {
-  const Vec3d area = area_vector(a, b, c);
-  const double h = sizes.size_at(1.0 / 3 * (a + b + c));
-  return triangles_per_square * std::sqrt(dot(area, area)) / 2 / (h * h);
+// The integral of the count per area, over quarters as long as sizes vary much on them.
+double count_on(const Vec3d& a, const Vec3d& b, const Vec3d& c, const SizingProxy& sizes, int depth = 0) {
+  const Vec3d middle = 1.0 / 3 * (a + b + c);
+  const double h = sizes.size_at(middle),
+               reach = std::sqrt(std::max({dot(a - middle, a - middle), dot(b - middle, b - middle), dot(c - middle, c - middle)}));
+  if (sizes.slope() * reach <= even_enough * h || depth == deepest) {
+    const Vec3d area = area_vector(a, b, c);
+    return triangles_per_square * std::sqrt(dot(area, area)) / 2 / (h * h);
+  }
+  const Vec3d ab = 0.5 * (a + b), bc = 0.5 * (b + c), ca = 0.5 * (c + a);
+  return count_on(a, ab, ca, sizes, depth + 1) + count_on(ab, b, bc, sizes, depth + 1) + count_on(ca, bc, c, sizes, depth + 1) +
+         count_on(ab, bc, ca, sizes, depth + 1);
 }
 
-// Over four parts of each of four, where sizes may vary on the triangle.
 double count_on(const Triangle& t, const std::vector<Vec3d>& points, const SizingProxy& sizes) {
-  constexpr int parts = 4;
-  const Vec3d &a = points[t[0].index()], u = 1.0 / parts * (points[t[1].index()] - a), v = 1.0 / parts * (points[t[2].index()] - a);
-  if (sizes.slope() == 0) return count_on(a, points[t[1].index()], points[t[2].index()], sizes);
-  double sum = 0;
-  for (int i = 0; i < parts; ++i) {
-    for (int j = 0; i + j < parts; ++j) {
-      const Vec3d p = a + static_cast<double>(i) * u + static_cast<double>(j) * v;
-      sum += count_on(p, p + u, p + v, sizes);
-      if (i + j + 1 < parts) sum += count_on(p + u, p + u + v, p + v, sizes);
-    }
-  }
-  return sum;
+  return count_on(points[t[0].index()], points[t[1].index()], points[t[2].index()], sizes);
 }
 
 void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const RemeshRules& rules) {
   if (!rules.zone.empty() && rules.zone.size() != mesh.triangles.size())
     throw Error(ErrorCode::InvalidArgument, "remesh", "the zone has " + std::to_string(rules.zone.size()) + " marks, not one per triangle");
+  const bool are_rounds_fine =
+      std::all_of(rules.rounds.begin(), rules.rounds.end(), [](double coarse) { return coarse >= 1 && coarse <= 64; });
+  if (!are_rounds_fine) throw Error(ErrorCode::InvalidArgument, "remesh", "rounds are for 1 to 64 times the size");
   const bool is_fine = rules.shortest > 0 && rules.longest > rules.shortest && rules.longest < 1e3 && rules.worst_angle_deg >= 0 &&
                        rules.worst_angle_deg < 60;
   if (!is_fine) throw Error(ErrorCode::InvalidArgument, "remesh", "rules need 0 < shortest < longest < 1000 and 0 <= worst_angle_deg < 60");
@@ -54,24 +56,56 @@ void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const Rem
   }
 }
 
-// Or refuses.
-double foretell_count(const SurfaceMesh& mesh, const SizingProxy& sizes, const RemeshRules& rules) {
-  double count = 0;
+// Triangles per model face; those outside the zone are there already. Or refuses.
+IdVector<ModelFaceId, double> foretell_counts(const SurfaceMesh& mesh, const ClassifiedBrep& model, const SizingProxy& sizes,
+                                              const RemeshRules& rules) {
+  IdVector<ModelFaceId, double> counts(model.brep.faces.size());
+  double sum = 0;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const bool stays = !rules.zone.empty() && rules.zone[t] == 0;
-    count += stays ? 1 : count_on(mesh.triangles[t], mesh.points, sizes);
+    const double count = stays ? 1 : count_on(mesh.triangles[t], mesh.points, sizes);
+    if (!stays) counts[model.classification.face_of_triangle[t]] += count;
+    sum += count;
   }
-  if (count <= rules.most_triangles) return count;
+  if (sum <= rules.most_triangles) return counts;
   throw Error(ErrorCode::ResultTooLarge, "remesh",
-              "the sizes ask for about " + std::to_string(static_cast<std::uint64_t>(std::min(count, 1e18))) + " triangles, more than " +
+              "the sizes ask for about " + std::to_string(static_cast<std::uint64_t>(std::min(sum, 1e18))) + " triangles, more than " +
                   std::to_string(static_cast<std::uint64_t>(rules.most_triangles)));
 }
 
-void change_mesh(WorkingMesh& w, const RemeshRules& rules, double foretold) {
-  const double most_new = splits_allowed * foretold + 1000;
-  const double all = rules.rounds + rules.last_rounds + 1;
-  for (std::uint32_t round = 0; round < rules.rounds; ++round) {
-    report_progress(rules.progress, "remesh", round / all);
+double sum_of(const WorkingMesh& w, const IdVector<ModelFaceId, double>& counts) {
+  double sum = 0;
+  for (std::size_t f = 0; f < counts.size(); ++f) {
+    const double coarseness = w.coarseness_of(ModelFaceId(f));
+    sum += counts[ModelFaceId(f)] / (coarseness * coarseness);
+  }
+  return sum;
+}
+
+// While a mesh is coarse, few changes bring the fine one to its count; later each of them leaves a defect.
+void approach_count(WorkingMesh& w, const IdVector<ModelFaceId, double>& counts, double longest) {
+  const auto frozen = std::count(w.is_frozen.begin(), w.is_frozen.end(), std::uint8_t{1});
+  const double excess = static_cast<double>(w.mesh.live_triangle_count()) - static_cast<double>(frozen) - sum_of(w, counts);
+  if (excess > 0)
+    collapse_short_edges(w, 1, longest, excess);
+  else
+    split_long_edges(w, long_when_few, -excess);
+  swap_edges(w);
+}
+
+/// From .. to of the whole way.
+struct ProgressSpan {
+  double from = 0, to = 1;
+  [[nodiscard]] double at(double fraction) const { return from + fraction * (to - from); }
+};
+
+void change_mesh(WorkingMesh& w, const RemeshRules& rules, const IdVector<ModelFaceId, double>& counts, const ProgressSpan& span) {
+  const double most_new = splits_allowed * sum_of(w, counts) + 1000;
+  const auto all = static_cast<double>(rules.rounds.size() + 1);
+  for (std::size_t round = 0; round < rules.rounds.size(); ++round) {
+    w.coarseness = rules.rounds[round];
+    w.fraction = span.at(static_cast<double>(round) / all);
+    report_progress(w.progress, "remesh", w.fraction);
     swap_edges(w);
     resample_model_edges(w);
     collapse_short_edges(w, rules.shortest, rules.longest);
@@ -79,15 +113,15 @@ void change_mesh(WorkingMesh& w, const RemeshRules& rules, double foretold) {
     split_long_edges(w, rules.longest, most_new);
     collapse_short_edges(w, rules.shortest, rules.longest);
     swap_edges(w);
-    for (int k = 0; k < sweeps; ++k) smooth_vertices(w, good_enough);
+    if (w.coarseness > 1) approach_count(w, counts, rules.longest);
+    const std::vector<VertexId> vertices = vertices_inside_faces(w);
+    for (int k = 0; k < sweeps; ++k) smooth_vertices(w, vertices, good_enough);
     swap_edges(w);
     settle_on_reference(w);
   }
-  for (std::uint32_t round = 0; round < rules.last_rounds; ++round) {
-    report_progress(rules.progress, "remesh", (rules.rounds + round) / all);
-    improve_worst_triangles(w, rules.worst_angle_deg, rules.longest);
-    if (round + 2 < rules.last_rounds) smooth_vertices(w, 0);
-  }
+  w.fraction = span.at(1 - 1 / all);
+  report_progress(w.progress, "remesh", w.fraction);
+  improve_worst_triangles(w, rules.worst_angle_deg, rules.longest, rules.last_rounds);
   settle_on_reference(w);
 }
 
@@ -122,7 +156,49 @@ RemeshResult compact(const WorkingMesh& w, const SurfaceMesh& given) {
   return result;
 }
 
+/// What an audit has taken back.
+struct Restraints {
+  IdVector<ModelFaceId, std::uint8_t> stays_fine;
+  std::vector<std::uint8_t> zone;  // as in RemeshRules
+};
+
+// Faces that crossed without coarse rounds already keep their triangles where they did and round that.
+void restrain(Restraints& restraints, const RemeshResult& result, const SurfaceMesh& given) {
+  bool are_all_fine = true;
+  std::vector<std::uint8_t> crosses(given.points.size(), 0);
+  for (const SelfCrossing& crossing : result.new_crossings) {
+    for (const FaceId t : {crossing.a, crossing.b}) {
+      std::uint8_t& is_fine = restraints.stays_fine[result.classification.face_of_triangle[t.index()]];
+      are_all_fine = are_all_fine && is_fine != 0;
+      is_fine = 1;
+      for (const VertexId v : given.triangles[result.sources[t.index()].index()]) crosses[v.index()] = 1;
+    }
+  }
+  if (!are_all_fine) return;
+  if (restraints.zone.empty()) restraints.zone.assign(given.triangles.size(), 1);
+  for (std::size_t t = 0; t < given.triangles.size(); ++t) {
+    const Triangle& corners = given.triangles[t];
+    if (std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return crosses[v.index()] != 0; })) restraints.zone[t] = 0;
+  }
+}
+
+std::vector<FaceId> kept_by(const Restraints& restraints, const std::vector<std::uint8_t>& zone) {
+  std::vector<FaceId> kept;
+  for (std::size_t t = 0; t < restraints.zone.size(); ++t) {
+    if (restraints.zone[t] == 0 && (zone.empty() || zone[t] != 0)) kept.emplace_back(t);
+  }
+  return kept;
+}
+
 }  // namespace
+
+RemeshRules paper_rules() {
+  RemeshRules rules;
+  rules.shortest = 1;
+  rules.longest = 2;
+  rules.rounds = {1, 1, 1};
+  return rules;
+}
 
 std::vector<std::uint8_t> layers_round(const SurfaceMesh& mesh, const std::vector<std::array<VertexId, 2>>& edges, std::uint32_t layers) {
   std::vector<std::uint8_t> is_reached(mesh.points.size(), 0), zone(mesh.triangles.size(), 0);
@@ -157,10 +233,20 @@ double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes)
 RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizes,
                     const RemeshRules& rules) {
   check_rules(mesh, model, rules);
-  const double foretold = foretell_count(mesh, sizes, rules);
-  WorkingMesh working(mesh, model, normals, sizes, rules.zone);
-  change_mesh(working, rules, foretold);
-  return compact(working, mesh);
+  const IdVector<ModelFaceId, double> counts = foretell_counts(mesh, model, sizes, rules);
+  Restraints restraints{IdVector<ModelFaceId, std::uint8_t>(model.brep.faces.size()), rules.zone};
+  double left = 1;  // of the progress
+  for (std::uint32_t audit = 0;; ++audit, left /= 2) {
+    WorkingMesh working(mesh, model, normals, sizes, restraints.zone);
+    working.progress = rules.progress;
+    working.stays_fine = restraints.stays_fine;
+    change_mesh(working, rules, counts, {1 - left, 1 - left / 2});
+    RemeshResult result = compact(working, mesh);
+    result.kept = kept_by(restraints, rules.zone);
+    if (rules.audits > 0) result.new_crossings = find_new_crossings(result.mesh, result.classification.face_of_triangle, mesh, model);
+    if (result.new_crossings.empty() || audit >= rules.audits) return result;
+    restrain(restraints, result, mesh);
+  }
 }
 
 }  // namespace mortise

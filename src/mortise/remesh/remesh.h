@@ -10,26 +10,34 @@
 #include "mortise/base/progress.h"
 #include "mortise/brep/brep.h"
 #include "mortise/brep/face_normals.h"
+#include "mortise/mesh/find_self_crossings.h"
 #include "mortise/size/sizing_proxy.h"
 
 namespace mortise {
 
 struct RemeshRules {
-  double shortest = 0.92;          ///< edges inside faces shorter than this in units of the size are collapsed
-  double longest = 1.42;           ///< longer ones are split
-  std::uint32_t rounds = 3;        ///< of collapses, swaps, splits and moves
-  std::uint32_t last_rounds = 10;  ///< on the worst triangles
-  double worst_angle_deg = 34;     ///< those with an angle below this
-  double most_triangles = 2e7;     ///< a size that asks for more is refused
+  double shortest = 0.92;                           ///< edges inside faces shorter than this in units of the size are collapsed
+  double longest = 1.42;                            ///< longer ones are split
+  std::vector<double> rounds{8, 8, 4, 4, 2, 2, 1};  ///< of collapses, swaps, splits and moves, each for the size taken so many times
+  std::uint32_t last_rounds = 10;                   ///< on the worst triangles
+  double worst_angle_deg = 34;                      ///< those with an angle below this
+  std::uint32_t audits = 6;                         ///< how often it may begin anew when faces came to cross; 0: nobody looks
+  double most_triangles = 2e7;                      ///< a size that asks for more is refused
   std::vector<std::uint8_t> zone;  ///< empty, or per triangle: 1 when it may change; all others stay as they are, byte for byte
   ProgressCallback progress;
 };
+
+/// Those of the paper: an edge is collapsed when it is shorter than the size and split when it is longer than twice that (Fig. 20); no
+/// coarse rounds. Edges come out 1.4 sizes long.
+[[nodiscard]] RemeshRules paper_rules();
 
 /// The same model with another mesh: equal entity numbers.
 struct RemeshResult {
   SurfaceMesh mesh;  ///< labels and walls are those of the triangles it lies on; values at vertices and corners are left out
   Classification classification;
-  std::vector<FaceId> sources;  ///< per triangle: the triangle of the given mesh its middle is closest to
+  std::vector<FaceId> sources;              ///< per triangle: the triangle of the given mesh its middle is closest to
+  std::vector<FaceId> kept;                 ///< triangles of the given mesh that stayed because faces came to cross there
+  std::vector<SelfCrossing> new_crossings;  ///< that are left after the last audit
 };
 
 /// Triangles in so many layers round mesh edges: those that touch one, those that touch one of these, and so on; a zone for RemeshRules.
@@ -41,8 +49,8 @@ struct RemeshResult {
 [[nodiscard]] double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes);
 
 /// Every vertex stays on its model entity, every new one lies on one; model vertices stay as they are. Angles come out above 30 degrees but
-/// where model edges meet at small angles or lie closer together than the size. Faces closer than the size may come to cross: see
-/// find_self_crossings.
+/// where model edges meet at small angles or lie closer together than the size. Where faces come to cross that did not, model faces are
+/// remeshed without coarse rounds; where they cross still, triangles stay as they were.
 ///
 /// @param model  of the mesh, made without seams
 /// @param normals  as in build_brep

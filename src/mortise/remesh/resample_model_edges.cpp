@@ -6,6 +6,7 @@
 
 #include "mortise/remesh/model_edge_chains.h"
 #include "mortise/remesh/passes.h"
+#include "mortise/remesh/vertex_ball.h"
 
 namespace mortise {
 namespace {
@@ -22,9 +23,9 @@ std::size_t step_count(double length, bool is_closed) {
   return std::max<std::size_t>(n, is_closed ? 3 : 1);
 }
 
-bool try_collapse(WorkingMesh& w, ModelEdgeId edge, VertexId from, VertexId to) {
+bool try_collapse(WorkingMesh& w, ModelEdgeId edge, VertexId from, VertexId to, double longest) {
   const HalfEdge h = find_step(w, from, to, edge);
-  if (h == no_half_edge || !is_collapse_fit(w, h, from, longest_beside)) return false;
+  if (h == no_half_edge || !is_collapse_fit(w, h, from, longest)) return false;
   w.mesh.collapse_edge(h, from);
   return true;
 }
@@ -68,15 +69,15 @@ ChainPlaces places_of(const ChainMeasure& m, std::size_t count) {
 }
 
 // Of vertices that are nearest to the same place all but one go, where they can.
-Chain collapse_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain, const ChainPlaces& places) {
+Chain collapse_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain, const ChainPlaces& places, double longest) {
   Chain kept{chain.front()};
   std::size_t last = 0;  // of kept, in the chain
   const auto miss = [&](std::size_t k) { return std::fabs(places.exact[k] - static_cast<double>(places.nearest[k])); };
   for (std::size_t k = 1; k < chain.size(); ++k) {
     if (places.nearest[k] == places.nearest[last]) {
       const bool last_may_go = last > 0, may_go = k + 1 < chain.size(), last_first = last_may_go && (!may_go || miss(last) > miss(k));
-      const auto drop_last = [&] { return last_may_go && try_collapse(w, edge, chain[last], chain[k]); };
-      const auto drop_this = [&] { return may_go && try_collapse(w, edge, chain[k], chain[last]); };
+      const auto drop_last = [&] { return last_may_go && try_collapse(w, edge, chain[last], chain[k], longest); };
+      const auto drop_this = [&] { return may_go && try_collapse(w, edge, chain[k], chain[last], longest); };
       if (!last_first && drop_this()) continue;
       if (drop_last())
         kept.pop_back();
@@ -103,23 +104,24 @@ Chain split_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain, const Ch
 }
 
 // Where vertices could not go to their places.
-void split_long_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
+void split_long_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain, double longest) {
   const ChainMeasure m = measure(w, edge, chain);
   for (std::size_t k = 1; k < chain.size(); ++k) {
-    if (m.metric[k] - m.metric[k - 1] > longest_step)
+    if (m.metric[k] - m.metric[k - 1] > longest)
       split_at_arc(w, find_step(w, chain[k - 1], chain[k], edge), (m.arcs[k - 1] + m.arcs[k]) / 2);
   }
 }
 
-void space_evenly(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
+void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chain& chain) {
   const ChainMeasure m = measure(w, edge, chain);
   const std::size_t count = chain.size() - 1;
   for (std::size_t k = 1; k < count; ++k) {
     const VertexId v = chain[k];
     const double from = w.arcs[v.index()], to = m.arc_at(m.metric.back() * static_cast<double>(k) / static_cast<double>(count));
     const auto arc = [&](double fraction) { return from + fraction * (to - from); };
-    const double before = std::max(0.0, ball_quality(w, v, w.mesh.points[v.index()]));
-    const double fraction = fit_fraction(w, v, std::min(0.3, before), [&](double f) { return w.reference.point_at(edge, arc(f)); });
+    ball.gather(w, v);
+    const double least = std::clamp(ball.quality_at(w.mesh.points[v.index()]), 0.0, 0.3);
+    const double fraction = ball.fit_fraction(least, [&](double f) { return w.reference.point_at(edge, arc(f)); });
     if (fraction == 0) continue;
     w.arcs[v.index()] = arc(fraction);
     w.mesh.points[v.index()] = w.reference.point_at(edge, arc(fraction));
@@ -127,15 +129,24 @@ void space_evenly(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
   }
 }
 
+// The least of the faces at a mesh edge.
+double coarseness_round(const WorkingMesh& w, HalfEdge h) {
+  double least = w.coarseness;
+  w.mesh.for_each_use(h, [&](HalfEdge u) { least = std::min(least, w.coarseness_beside(u)); });
+  return least;
+}
+
 // Between ends that stay.
 void resample(WorkingMesh& w, ModelEdgeId edge, const Chain& chain) {
+  const double coarseness = coarseness_round(w, find_step(w, chain[0], chain[1], edge));
   const ChainMeasure given = measure(w, edge, chain);
-  const std::size_t count = step_count(given.metric.back(), chain.front() == chain.back());
-  const Chain fewer = collapse_steps(w, edge, chain, places_of(given, count));
+  const std::size_t count = step_count(given.metric.back() / coarseness, chain.front() == chain.back());
+  const Chain fewer = collapse_steps(w, edge, chain, places_of(given, count), longest_beside * coarseness);
   const ChainMeasure measured = measure(w, edge, fewer);
   const Chain even = split_steps(w, edge, fewer, measured, places_of(measured, count));
-  for (int k = 0; k < sweeps; ++k) space_evenly(w, edge, even);
-  split_long_steps(w, edge, even);
+  VertexBall ball;
+  for (int k = 0; k < sweeps; ++k) space_evenly(w, ball, edge, even);
+  split_long_steps(w, edge, even, longest_step * coarseness);
 }
 
 // The parts of a chain between vertices that may not move, but those along triangles that may not change.

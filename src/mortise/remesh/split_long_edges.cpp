@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <queue>
-#include <utility>
-#include <vector>
 
+#include "mortise/remesh/edge_queue.h"
 #include "mortise/remesh/passes.h"
 
 namespace mortise {
@@ -12,44 +10,31 @@ namespace {
 
 constexpr double longest_median = 0.95;  // of the length of its edge: 0.87 where that is the longest of the triangle
 
-/// An edge as it was when it was queued. The longest comes first, of equal ones the lowest half-edge.
-struct QueuedEdge {
-  double length = 0;
-  HalfEdge half_edge = 0;
-  VertexId origin, target;
-
-  bool operator<(const QueuedEdge& other) const { return length != other.length ? length < other.length : half_edge > other.half_edge; }
-};
-
 class EdgeSplitter {
  public:
   EdgeSplitter(WorkingMesh& w, double longest, double most_new) : w_(w), longest_(longest), left_(most_new) {}
 
   void run() {
     for (HalfEdge h = 0; h < w_.mesh.half_edge_count(); ++h) {
-      if (w_.mesh.has(h) && stands_for_edge(w_.mesh, h)) push(h);
+      if (w_.mesh.has(h) && !w_.mesh.is_on_model_edge(h) && h < w_.mesh.opposite(h)) push(h);
     }
-    while (!queue_.empty() && left_ > 0) {
-      const QueuedEdge next = queue_.top();
-      queue_.pop();
-      const HalfEdge h = next.half_edge;
-      const bool is_same = w_.mesh.has(h) && w_.mesh.origin(h) == next.origin && w_.mesh.target(h) == next.target;
-      if (is_same && makes_shorter(h)) split(h);
+    for (HalfEdge h = queue_.pop(w_.mesh); h != no_half_edge && left_ > 0; h = queue_.pop(w_.mesh)) {
+      if (makes_shorter(h)) split(h);
     }
   }
 
  private:
   void push(HalfEdge h) {
-    if (w_.mesh.is_on_model_edge(h) || !may_split(w_, h)) return;
-    const double length = metric_length(w_, h);
-    if (length > longest_) queue_.push({length, h, w_.mesh.origin(h), w_.mesh.target(h)});
+    if (w_.mesh.is_on_model_edge(h)) return;
+    const double length = metric_length(w_, h), most = longest_ * w_.coarseness_beside(h);
+    if (length > most && may_split(w_, h)) queue_.push(w_.mesh, h, length / most);
   }
 
   // Edges that stay may have other half-edges after a change beside them.
   void push_triangle(HalfEdge h) {
     push(h);
     push(next_in_face(h));
-    push(EditMesh::previous_in_face(h));
+    push(previous_in_face(h));
   }
 
   // Beside a longer model edge the new edges may be as long as this one: then splits would not come to an end.
@@ -68,7 +53,7 @@ class EdgeSplitter {
   void split(HalfEdge h) {
     left_ -= 2;
     const VertexId m = split_at_middle(w_, h);
-    std::vector<HalfEdge> leaving;
+    SmallList<HalfEdge, 4> leaving;
     w_.mesh.for_each_leaving(m, [&](HalfEdge g) { leaving.push_back(g); });
     for (const HalfEdge g : leaving) push_triangle(g);
     for (const HalfEdge g : leaving) swap_opposite(next_in_face(g));
@@ -78,7 +63,7 @@ class EdgeSplitter {
     if (!swap_lowers_angle(w_, h)) return;
     const HalfEdge t = w_.mesh.opposite(h);
     // No swap makes an edge too long that was not: splits come to an end.
-    if (metric_length(w_, w_.mesh.apex(h), w_.mesh.apex(t)) > std::max(longest_, metric_length(w_, h))) return;
+    if (metric_length(w_, w_.mesh.apex(h), w_.mesh.apex(t)) > std::max(longest_ * w_.coarseness_beside(h), metric_length(w_, h))) return;
     w_.mesh.swap_edge(h);
     push_triangle(h);
     push_triangle(t);
@@ -86,7 +71,7 @@ class EdgeSplitter {
 
   WorkingMesh& w_;
   double longest_, left_;  // left_: triangles that may still be made
-  std::priority_queue<QueuedEdge> queue_;
+  EdgeQueue queue_;
 };
 
 }  // namespace

@@ -27,10 +27,11 @@ void swap_edges(WorkingMesh& w) {
     is_queued[h] = 0;
     if (!swap_lowers_angle(w, h)) continue;
     const HalfEdge t = w.mesh.opposite(h);
+    count_change(w);
     w.mesh.swap_edge(h);
     for (const HalfEdge side : {h, t}) {
       push(next_in_face(side));
-      push(EditMesh::previous_in_face(side));
+      push(previous_in_face(side));
     }
   }
 }

@@ -10,6 +10,8 @@
 
 namespace mortise {
 
+inline constexpr double flat_mean_ratio = 1e-9;  ///< a triangle of a lower one must not be made: which way it faces is chance
+
 /// Twice the area, along the normal.
 [[nodiscard]] inline Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }
 
@@ -20,16 +22,21 @@ namespace mortise {
   return squares > 0 ? 3.4641016151377544 * std::sqrt(dot(n, n)) / squares : 0;
 }
 
+/// Of two vectors by their product and that of their squares; 1 where one has no length.
+[[nodiscard]] inline double cosine_between(double product, double squares) { return squares > 0 ? product / std::sqrt(squares) : 1; }
+
 /// Cosine of the angle at a; 1 where an edge has no length.
 [[nodiscard]] inline double cosine_at(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   const Vec3d ab = b - a, ac = c - a;
-  const double lengths = std::sqrt(dot(ab, ab) * dot(ac, ac));
-  return lengths > 0 ? dot(ab, ac) / lengths : 1;
+  return cosine_between(dot(ab, ac), dot(ab, ab) * dot(ac, ac));
 }
 
-/// Cosine of the largest angle.
+/// Cosine of the largest angle: the one opposite to the longest edge.
 [[nodiscard]] inline double least_cosine(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return std::min({cosine_at(a, b, c), cosine_at(b, c, a), cosine_at(c, a, b)});
+  const Vec3d ab = b - a, bc = c - b, ca = a - c;
+  const double square_ab = dot(ab, ab), square_bc = dot(bc, bc), square_ca = dot(ca, ca);
+  if (square_bc >= square_ab && square_bc >= square_ca) return cosine_between(-dot(ab, ca), square_ab * square_ca);
+  return square_ca >= square_ab ? cosine_between(-dot(ab, bc), square_ab * square_bc) : cosine_between(-dot(bc, ca), square_bc * square_ca);
 }
 
 /// Cosine of the smallest angle.

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "mortise/base/progress.h"
 #include "mortise/remesh/edit_mesh.h"
 #include "mortise/remesh/reference_surface.h"
 #include "mortise/size/sizing_proxy.h"
@@ -22,15 +23,29 @@ struct WorkingMesh {
   ReferenceSurface reference;
   const Brep& brep;
   const SizingProxy& proxy;
-  std::vector<double> sizes;  ///< per vertex: the size wanted there
-  std::vector<double> arcs;   ///< per vertex inside a model edge: the length from its start
+  std::vector<double> sizes;         ///< per vertex: the size wanted there
+  std::vector<double> arcs;          ///< per vertex inside a model edge: the length from its start
+  std::vector<std::uint32_t> nears;  ///< per vertex inside a face: a triangle of the reference close by
+
+  ProgressCallback progress;  ///< called now and then while it changes
+  double fraction = 0;        ///< of the whole call done
+  std::uint32_t changes = 0;
+
+  double coarseness = 1;  ///< edges are made this many times as long as the sizes say, in faces that are made coarse at all
+  IdVector<ModelFaceId, std::uint8_t> stays_fine;  ///< per model face: 1 when it is not
 
   std::vector<std::uint8_t> is_frozen;  ///< per triangle of the given mesh: outside the zone; no new one ever is
-  std::vector<std::uint8_t> is_fixed;   ///< per vertex of the given mesh: of a frozen triangle
+  std::vector<std::uint8_t> is_fixed;   ///< per vertex of the given mesh: of a frozen triangle, or a tip
 
+  [[nodiscard]] double coarseness_of(ModelFaceId face) const { return stays_fine[face] != 0 ? 1 : coarseness; }
+  [[nodiscard]] double coarseness_beside(HalfEdge h) const { return coarseness_of(mesh.face(face_of(h))); }
   [[nodiscard]] bool may_change(FaceId t) const { return t.index() >= is_frozen.size() || is_frozen[t.index()] == 0; }
   [[nodiscard]] bool may_move(VertexId v) const { return v.index() >= is_fixed.size() || is_fixed[v.index()] == 0; }
 };
+
+/// To be called for every change: reports progress after some thousands.
+/// @throws Error{Cancelled}
+void count_change(WorkingMesh& w);
 
 /// May all triangles of an edge change?
 [[nodiscard]] bool may_split(const WorkingMesh& w, HalfEdge h);
@@ -56,18 +71,13 @@ VertexId split_at_arc(WorkingMesh& w, HalfEdge h, double arc);
 /// Could an end of an edge go to the other with no triangle turned over or worse than they were, and no edge longer than this?
 [[nodiscard]] bool is_collapse_fit(const WorkingMesh& w, HalfEdge h, VertexId gone, double longest);
 
-/// The least mean ratio of the triangles round a vertex, as if it were at a point; -1 when one of them would face away from the reference
-/// there.
-[[nodiscard]] double ball_quality(const WorkingMesh& w, VertexId v, const Vec3d& at);
-
-/// Moves a vertex as far towards a place as leaves its triangles no worse; all, half or a quarter of the way.
-/// @param place_of  fraction of the way -> the point on its entity
-template <class PlaceOf>
-[[nodiscard]] double fit_fraction(const WorkingMesh& w, VertexId v, double least_quality, PlaceOf place_of) {
-  for (const double fraction : {1.0, 0.5, 0.25}) {
-    if (ball_quality(w, v, place_of(fraction)) >= least_quality) return fraction;
-  }
-  return 0;
-}
+/// The point of a face a vertex inside it goes to when it is moved to a point beside.
+[[nodiscard]] SurfacePlace place_on_face(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double size);
+/// Is a point of what would be the surface further from its face than a coarse mesh may be?
+[[nodiscard]] bool strays(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double size);
+/// The triangle of the reference below a point beside a face.
+[[nodiscard]] std::uint32_t triangle_below(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double size);
+/// Moves a vertex inside a face.
+void move_vertex(WorkingMesh& w, VertexId v, const SurfacePlace& place);
 
 }  // namespace mortise

@@ -111,7 +111,7 @@ bool is_too_thin_to_vary(const PlacedSource& source) {
 }
 
 double size_from(const PlacedSource& source, const Vec3d& p) {
-  const PlanePoint closest = closest_in(source.shape, p);
+  const PlanePoint closest = closest_in(source.shape, p).at;
   const Vec3d away = p - source.shape.origin - closest.x * source.shape.axis_x - closest.y * source.shape.axis_y;
   const double outside = std::sqrt(dot(away, away)) - source.radius;
   const double distance = outside <= 0 ? 0 : outside;  // NaN stays

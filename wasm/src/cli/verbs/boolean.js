@@ -5,9 +5,10 @@
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
-import { parseNumbers } from '../arguments.js';
+import { parseNumber, parseNumbers } from '../arguments.js';
 import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send } from '../common.js';
 import { exitCode } from '../exit_codes.js';
+import { remeshNotes } from './remesh.js';
 import { anglesOf, checkNaming, keepsModels, modelOfResult, modelTargetOf, nameRegions, namingHelp, namingOptions, readNamed, sendModel, shortName, targetName } from '../model_files.js';
 
 /**
@@ -82,7 +83,8 @@ ${optionHelp}  -o, --output FILE     .stl .obj .ply .off .glb .msh .vtk .vtu .me
   --json                print the report as JSON
   --plane NX,NY,NZ,D    one more operand, after the files: all that lies behind a plane
 ${arrangingHelp}  --simplify LEVEL      cut: without what the cut left inside triangles and on edges; coplanar: also across triangles of one plane
-${namingHelp}  --allow-uncertified   write the result even when it is not proven free of new crossings
+${namingHelp}  --remesh H            write the result with triangles of this size; --layers K: only in so many layers round the intersection graph
+  --allow-uncertified   write the result even when it is not proven free of new crossings
   -q, --quiet           print no report
 `;
 }
@@ -123,6 +125,25 @@ function writeResult(mortise, { result, files, operands, target }, args, streams
   sendModel(mortise, model, target, streams);
 }
 
+/** @param {import('../arguments.js').Arguments} args @param {string} name */
+function parseOptional({ values }, name) {
+  return values[name] === undefined ? undefined : parseNumber(values[name], name);
+}
+
+/**
+ * Writes the mesh of a result with triangles of the size wanted; what became of it comes into the report.
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {Outcome} outcome
+ * @param {{ size: number, layers: number | undefined }} options
+ * @param {import('../common.js').Streams} streams
+ */
+function writeRemeshed(mortise, { result, operands, target }, options, streams) {
+  const meshes = operands.map(({ mesh }) => /** @type {import('../../index.js').Mesh} */ (mesh));
+  const remeshed = mortise.remesh(result, { ...options, operands: meshes });
+  result.report.notes.push(...remeshNotes(remeshed));
+  send(target, mortise.writeMesh(remeshed.mesh, { format: /** @type {any} */ (target.format) }), streams);
+}
+
 /**
  * @param {string} name
  * @returns {import('../common.js').Verb}
@@ -137,6 +158,8 @@ export function booleanVerb(name) {
       ...options,
       plane: { type: 'string' },
       simplify: { type: 'string' },
+      remesh: { type: 'string' },
+      layers: { type: 'string' },
     },
     run(mortise, args, streams) {
       const target = modelTargetOf(args);
@@ -151,7 +174,11 @@ export function booleanVerb(name) {
       const result = namingFiles(files, () => evaluate(mortise, meshes, settings, args.positionals[0], args.values));
       const { report } = result;
       const refused = !report.certified && !args.values['allow-uncertified'];
-      if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
+      const size = parseOptional(args, 'remesh');
+      if (size !== undefined && args.values.plane !== undefined) throw invalidArgument('--remesh and --plane do not go together yet');
+      if (size === undefined && args.values.layers !== undefined) throw invalidArgument('--layers needs --remesh');
+      if (!refused && size !== undefined) writeRemeshed(mortise, { result, files, operands, target }, { size, layers: parseOptional(args, 'layers') }, streams);
+      else if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
       report.operands = report.operands.map((operand, i) => ({ name: i < files.length ? displayName(files[i]) : '--plane', ...operand }));
       report.milliseconds = performance.now() - begin;
       printReport(report, [name, refused ? 'not written' : targetName(target)], args, streams);

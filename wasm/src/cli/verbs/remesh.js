@@ -19,6 +19,19 @@ function shapesText(when, { triangles, minAngleDeg, maxAngleDeg }) {
   return `${when}: ${triangles.toLocaleString('en-US')} triangles${angles}`;
 }
 
+/** @param {number} kept @param {number} newCrossings */
+function auditNotes(kept, newCrossings) {
+  return [
+    ...(kept > 0 ? [`${kept} triangles stay: faces would have come to cross there`] : []),
+    ...(newCrossings > 0 ? [`${newCrossings} pairs of triangles cross that did not before`] : []),
+  ];
+}
+
+/** What became of a mesh. @param {import('../../index.js').RemeshResult} result */
+export function remeshNotes({ before, after, predicted, kept, newCrossings }) {
+  return [shapesText('before', before), shapesText('after', after), `${Math.round(predicted).toLocaleString('en-US')} triangles predicted`, ...auditNotes(kept.length, newCrossings)];
+}
+
 /** @type {import('../common.js').Verb} */
 export const remeshVerb = {
   help: `mortise remesh IN -o OUT --size H
@@ -26,21 +39,23 @@ export const remeshVerb = {
 The same model (faces, edges and corners by angles and labels) with triangles of the size wanted. Corners stay, edges stay edges.
 
 ${sizesHelp}  --most-triangles N     sizes that ask for more are refused (default 20 million)
+  --preset NAME          default; paper: edges are collapsed below H and split above 2 H
   -o, --output FILE      .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
   --format FORMAT        stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                          of the output, and of a mesh from - (the standard input)
   --json                 print the report as JSON, with before, after and the count predicted
   -q, --quiet            print no report
 `,
-  options: { ...writingOptions, ...sizeOptionsOf(numbers) },
+  options: { ...writingOptions, ...sizeOptionsOf(numbers), preset: { type: /** @type {'string'} */ ('string') } },
   run(mortise, args, streams) {
     targetOf(args);
     if (args.positionals.length !== 1) throw invalidArgument('remesh needs one mesh file');
-    const options = sizesOf(args, numbers, 'remesh');
+    const preset = args.values.preset === undefined ? {} : { preset: args.values.preset };
+    const options = { ...sizesOf(args, numbers, 'remesh'), ...preset };
     const given = readOperand(mortise, args.positionals[0], args, streams);
-    const { mesh, predicted, before, after } = mortise.remesh(given, options);
-    const notes = [shapesText('before', before), shapesText('after', after), `${Math.round(predicted).toLocaleString('en-US')} triangles predicted`];
-    writePlain(mortise, mesh, { verb: 'remesh', args, streams, notes, more: { predicted, before, after } });
+    const result = mortise.remesh(given, options);
+    const { mesh, predicted, before, after, kept, newCrossings } = result;
+    writePlain(mortise, mesh, { verb: 'remesh', args, streams, notes: remeshNotes(result), more: { predicted, before, after, kept: kept.length, newCrossings } });
     return exitCode.ok;
   },
 };
