@@ -79,10 +79,9 @@ class FeatureFinder {
 
   void mark_user_edges() {
     for (const std::array<VertexId, 2>& ends : rules_.user_edges) {
-      const std::array<VertexId, 2> edge{std::min(ends[0], ends[1]), std::max(ends[0], ends[1])};
-      const auto found = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), edge);
-      if (found == topology_.edges.end() || *found != edge) refuse_user_edge(ends, stage_name);
-      marks_[static_cast<std::size_t>(found - topology_.edges.begin())] = Mark::Fixed;
+      const MeshEdgeId edge = find_edge(topology_, ends[0], ends[1]);
+      if (!edge.is_valid()) refuse_user_edge(ends, stage_name);
+      marks_[edge.index()] = Mark::Fixed;
     }
   }
 

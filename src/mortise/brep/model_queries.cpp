@@ -244,6 +244,16 @@ std::vector<std::uint8_t> find_voids(const SurfaceMesh& mesh, const ClassifiedBr
   return is_void;
 }
 
+std::vector<std::uint8_t> mark_model_edges(const MeshTopology& topology, const ClassifiedBrep& model) {
+  std::vector<std::uint8_t> is_marked(topology.edges.size(), 0);
+  for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
+    if (model.brep.edges[ModelEdgeId(e)].is_seam) continue;
+    const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) is_marked[find_edge(topology, path[k], path[k + 1]).index()] = 1;
+  }
+  return is_marked;
+}
+
 ModelView view_of(const SurfaceMesh& mesh, const ClassifiedBrep& model) {
   const std::vector<ModelFaceId>& face_of = model.classification.face_of_triangle;
   std::vector<FaceId> triangles;

@@ -10,6 +10,7 @@
 
 #include "mortise/brep/brep.h"
 #include "mortise/mesh/surface_mesh.h"
+#include "mortise/mesh/topology.h"
 
 namespace mortise {
 
@@ -28,6 +29,9 @@ namespace mortise {
 /// Per region: 1 for one that lies in front of every face that bounds it, as a cavity in a solid does. What walls of the mesh bound is no
 /// void, and a sheet inside a region does not bound it.
 [[nodiscard]] std::vector<std::uint8_t> find_voids(const SurfaceMesh& mesh, const ClassifiedBrep& model);
+
+/// Per mesh edge: 1 where a model edge is that is no seam.
+[[nodiscard]] std::vector<std::uint8_t> mark_model_edges(const MeshTopology& topology, const ClassifiedBrep& model);
 
 /// A model with its mesh, and the triangles of every face. Refers to both.
 struct ModelView {

@@ -125,10 +125,8 @@ class BrepRebuilder {
   [[nodiscard]] std::optional<MeshEdgeId> edge_in_part(VertexId a, VertexId b) const {
     const std::optional<VertexId> p = in_part(a), q = in_part(b);
     if (!p || !q) return {};
-    const std::array<VertexId, 2> ends = sorted_ends(*p, *q);
-    const auto found = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), ends);
-    if (found == topology_.edges.end() || *found != ends) return {};
-    return MeshEdgeId(static_cast<std::size_t>(found - topology_.edges.begin()));
+    const MeshEdgeId edge = find_edge(topology_, *p, *q);
+    return edge.is_valid() ? std::optional(edge) : std::nullopt;
   }
 
   // Both ends of every user edge are touched.

@@ -70,13 +70,6 @@ class FaultFinder {
     expect(static_cast<std::size_t>(on_vertices) == brep_.vertex_count, "mesh vertices lie on one model vertex");
   }
 
-  [[nodiscard]] MeshEdgeId mesh_edge(VertexId a, VertexId b) const {
-    const std::array<VertexId, 2> key{std::min(a, b), std::max(a, b)};
-    const auto found = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), key);
-    if (found == topology_.edges.end() || *found != key) return {};
-    return MeshEdgeId(static_cast<std::size_t>(found - topology_.edges.begin()));
-  }
-
   // Paths run from vertex to vertex over edges of the mesh that no other has.
   void check_paths() {
     edge_of_.assign(topology_.edges.size(), {});
@@ -89,7 +82,7 @@ class FaultFinder {
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         const ModelEntity own{EntityDimension::Edge, i};
         expect(k == 0 || entity(path[k]) == own, name("model edge", i) + " has a mesh vertex that is not on it");
-        const MeshEdgeId e = mesh_edge(path[k], path[k + 1]);
+        const MeshEdgeId e = find_edge(topology_, path[k], path[k + 1]);
         if (!e.is_valid() || edge_of_[e.index()].is_valid()) return fault(name("model edge", i) + " has a gap, or shares mesh edges");
         edge_of_[e.index()] = ModelEdgeId(i);
       }
@@ -158,7 +151,8 @@ class FaultFinder {
       const auto path = on_.path.of(ModelEdgeId(i));
       for (std::size_t k = 0; k + 1 < path.size(); ++k) {
         std::map<ModelFaceId, std::array<int, 2>> seen;
-        for (const HalfEdge h : topology_.uses_of(mesh_edge(path[k], path[k + 1]))) ++seen[face(h)][origin_of(mesh_, h) == path[k] ? 0 : 1];
+        for (const HalfEdge h : topology_.uses_of(find_edge(topology_, path[k], path[k + 1])))
+          ++seen[face(h)][origin_of(mesh_, h) == path[k] ? 0 : 1];
         std::size_t of_edge = 0;
         for (const auto& [f, times] : seen) {
           const auto found = uses.find({ModelEdgeId(i), f});
@@ -265,7 +259,7 @@ class FaultFinder {
   [[nodiscard]] bool is_first_of_its_path(MeshEdgeId e) const {
     if (!edge_of_[e.index()].is_valid()) return false;
     const auto path = on_.path.of(edge_of_[e.index()]);
-    return mesh_edge(path[0], path[1]) == e;
+    return find_edge(topology_, path[0], path[1]) == e;
   }
 
   // Every side of a model face is in the shell of its triangles, with all its triangles.

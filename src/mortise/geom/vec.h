@@ -48,6 +48,13 @@ struct Box3 {
   }
 };
 
+/// From a point to the nearest of a box, 0 inside. NaN stays.
+[[nodiscard]] constexpr double square_distance(const Box3& box, const Vec3d& p) {
+  const auto outside = [](double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : x - x; };
+  const Vec3d away{outside(box.lo.x, box.hi.x, p.x), outside(box.lo.y, box.hi.y, p.y), outside(box.lo.z, box.hi.z, p.z)};
+  return dot(away, away);
+}
+
 /// Do two closed boxes share a point? All comparisons are made: branches would be guessed wrong.
 [[nodiscard]] constexpr bool boxes_meet(const Box3& a, const Box3& b) {
   return (a.lo.x <= b.hi.x) & (b.lo.x <= a.hi.x) & (a.lo.y <= b.hi.y) & (b.lo.y <= a.hi.y) & (a.lo.z <= b.hi.z) & (b.lo.z <= a.hi.z);

@@ -26,9 +26,8 @@ class ChangingEdges {
   [[nodiscard]] std::vector<HalfEdge> uses_of(VertexId a, VertexId b) const {
     const std::array<VertexId, 2> edge{std::min(a, b), std::max(a, b)};
     std::vector<HalfEdge> uses;
-    const auto old = std::lower_bound(topology_.edges.begin(), topology_.edges.end(), edge);
-    if (old != topology_.edges.end() && *old == edge) {
-      for (const HalfEdge h : topology_.uses_of(MeshEdgeId(static_cast<std::size_t>(old - topology_.edges.begin())))) uses.push_back(h);
+    if (const MeshEdgeId old = find_edge(topology_, a, b); old.is_valid()) {
+      for (const HalfEdge h : topology_.uses_of(old)) uses.push_back(h);
     }
     if (const auto added = added_.find(edge); added != added_.end()) uses.insert(uses.end(), added->second.begin(), added->second.end());
     std::sort(uses.begin(), uses.end());

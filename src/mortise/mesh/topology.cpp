@@ -76,6 +76,13 @@ MeshTopology build_topology(const SurfaceMesh& mesh) {
   return topology;
 }
 
+MeshEdgeId find_edge(const MeshTopology& topology, VertexId a, VertexId b) {
+  const std::array<VertexId, 2> ends{std::min(a, b), std::max(a, b)};
+  const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), ends);
+  if (found == topology.edges.end() || *found != ends) return {};
+  return MeshEdgeId(static_cast<std::size_t>(found - topology.edges.begin()));
+}
+
 int balance_of(const SurfaceMesh& mesh, const MeshTopology& topology, MeshEdgeId e) {
   int balance = 0;
   for (const HalfEdge h : topology.uses_of(e)) balance += origin_of(mesh, h) == topology.edges[e.index()][0] ? 1 : -1;

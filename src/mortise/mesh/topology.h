@@ -40,6 +40,9 @@ struct MeshTopology {
 /// Needs indices in range. O(n log k) for at most k faces round a vertex.
 [[nodiscard]] MeshTopology build_topology(const SurfaceMesh& mesh);
 
+/// The edge between two vertices; invalid when there is none. O(log n).
+[[nodiscard]] MeshEdgeId find_edge(const MeshTopology& topology, VertexId a, VertexId b);
+
 /// Uses that run from the lower to the higher vertex, less those that run back.
 [[nodiscard]] int balance_of(const SurfaceMesh& mesh, const MeshTopology& topology, MeshEdgeId e);
 

@@ -34,12 +34,6 @@ struct Piece {
 
 double square_of(const Vec3d& v) { return dot(v, v); }
 
-double outside(double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : 0; }
-
-double square_outside(const Box3& box, const Vec3d& p) {
-  return square_of({outside(box.lo.x, box.hi.x, p.x), outside(box.lo.y, box.hi.y, p.y), outside(box.lo.z, box.hi.z, p.z)});
-}
-
 /// Triangles, or segments, of one group.
 class PieceGroup {
  public:
@@ -82,7 +76,7 @@ class PieceGroup {
 
   // The closer one on top.
   void push_children(std::uint32_t first, const Vec3d& p, double least) {
-    Waiting closer{square_outside(tree_.nodes()[first].box, p), first}, other{square_outside(tree_.nodes()[first + 1].box, p), first + 1};
+    Waiting closer{square_distance(tree_.nodes()[first].box, p), first}, other{square_distance(tree_.nodes()[first + 1].box, p), first + 1};
     if (other.square < closer.square) std::swap(closer, other);
     if (other.square < least) stack_.push_back(other);
     if (closer.square < least) stack_.push_back(closer);
@@ -90,7 +84,7 @@ class PieceGroup {
 
   void look_in(const BoxTree::Node& leaf, const Vec3d& p, double& least) {
     for (const BoxTree::Item& item : tree_.items_of(leaf)) {
-      if (square_outside(item.box, p) >= least) continue;
+      if (square_distance(item.box, p) >= least) continue;
       const double square = square_to(item.id, p);
       if (square >= least) continue;
       least = square;

@@ -11,20 +11,17 @@
 namespace mortise {
 namespace {
 
-std::size_t edge_index(const MeshTopology& topology, VertexId a, VertexId b) {
-  const std::array<VertexId, 2> ends = sorted_ends(a, b);
-  const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), ends);
-  MORTISE_CHECK(found != topology.edges.end() && *found == ends, "step of a model edge from vertex " + std::to_string(a.value));
-  return static_cast<std::size_t>(found - topology.edges.begin());
-}
-
 // Per mesh edge: the model edge it is on, if any; seams do not count.
 std::vector<ModelEdgeId> model_edges_of(const MeshTopology& topology, const ClassifiedBrep& model) {
   std::vector<ModelEdgeId> on(topology.edges.size());
   for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
     if (model.brep.edges[ModelEdgeId(e)].is_seam) continue;
     const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) on[edge_index(topology, path[k], path[k + 1])] = ModelEdgeId(e);
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+      const MeshEdgeId step = find_edge(topology, path[k], path[k + 1]);
+      MORTISE_CHECK(step.is_valid(), "step of a model edge from vertex " + std::to_string(path[k].value));
+      on[step.index()] = ModelEdgeId(e);
+    }
   }
   return on;
 }

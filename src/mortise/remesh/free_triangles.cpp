@@ -11,6 +11,7 @@
 
 #include "mortise/base/sort_unique.h"
 #include "mortise/base/union_find.h"
+#include "mortise/brep/model_queries.h"
 #include "mortise/geom/box_tree.h"
 #include "mortise/geom/length.h"
 #include "mortise/geom/placed_triangle.h"
@@ -276,19 +277,6 @@ std::vector<std::uint8_t> find_free(const Search& s) {
 }
 
 }  // namespace
-
-std::vector<std::uint8_t> mark_model_edges(const MeshTopology& topology, const ClassifiedBrep& model) {
-  std::vector<std::uint8_t> is_marked(topology.edges.size(), 0);
-  for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
-    if (model.brep.edges[ModelEdgeId(e)].is_seam) continue;
-    const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      const auto at = std::lower_bound(topology.edges.begin(), topology.edges.end(), sorted_ends(path[k], path[k + 1]));
-      is_marked[static_cast<std::size_t>(at - topology.edges.begin())] = 1;
-    }
-  }
-  return is_marked;
-}
 
 FreeTriangles find_free_triangles(const SurfaceMesh& mesh, const MeshTopology& topology, const ClassifiedBrep& model,
                                   const std::vector<double>& sizes, const std::vector<std::uint8_t>& frozen_edges) {

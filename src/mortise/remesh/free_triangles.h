@@ -35,7 +35,4 @@ struct FreeTriangles {
 [[nodiscard]] FreeTriangles find_free_triangles(const SurfaceMesh& mesh, const MeshTopology& topology, const ClassifiedBrep& model,
                                                 const std::vector<double>& sizes, const std::vector<std::uint8_t>& frozen_edges);
 
-/// Per edge of the topology: 1 on a model edge that is no seam.
-[[nodiscard]] std::vector<std::uint8_t> mark_model_edges(const MeshTopology& topology, const ClassifiedBrep& model);
-
 }  // namespace mortise

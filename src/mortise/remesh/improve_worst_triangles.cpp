@@ -97,7 +97,7 @@ bool try_collapse(WorkingMesh& w, FaceId t, double longest) {
 
 // Tries steps towards and away from its neighbours that make the sharpest corner round a vertex duller.
 void try_move(WorkingMesh& w, VertexBall& ball, VertexId v) {
-  if (!w.mesh.is_inside_face(v) || !w.may_move(v)) return;
+  if (!w.may_move_in_face(v)) return;
   ball.gather(w, v);
   const Vec3d from = at(w, v);
   const ModelFaceId face(w.mesh.entity(v).id);
@@ -133,7 +133,7 @@ std::vector<VertexId> widened(const WorkingMesh& w, const std::vector<VertexId>&
 }
 
 std::vector<VertexId> movable_of(const WorkingMesh& w, std::vector<VertexId> vertices) {
-  std::erase_if(vertices, [&](VertexId v) { return !w.mesh.has(v) || !w.mesh.is_inside_face(v) || !w.may_move(v); });
+  std::erase_if(vertices, [&](VertexId v) { return !w.mesh.has(v) || !w.may_move_in_face(v); });
   return vertices;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "mortise/base/error.h"
+#include "mortise/brep/model_queries.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/topology.h"
@@ -114,17 +115,11 @@ TriangleMarks marks_of_triangles(const Measured& m, const Marks& is_in) {
   return marks;
 }
 
-MeshEdgeId edge_between(const MeshTopology& topology, VertexId a, VertexId b) {
-  const std::array<VertexId, 2> ends = sorted_ends(a, b);
-  const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), ends);
-  return MeshEdgeId(static_cast<std::size_t>(found - topology.edges.begin()));
-}
-
 // Along one model edge; a closed one goes on at its start.
 double growth_along(const Measured& m, std::span<const VertexId> path, bool is_closed, const Marks& is_in) {
   double greatest = 0;
   std::vector<MeshEdgeId> pieces;
-  for (std::size_t k = 0; k + 1 < path.size(); ++k) pieces.push_back(edge_between(m.topology, path[k], path[k + 1]));
+  for (std::size_t k = 0; k + 1 < path.size(); ++k) pieces.push_back(find_edge(m.topology, path[k], path[k + 1]));
   for (std::size_t k = is_closed ? 0 : 1; k < pieces.size(); ++k) {
     const std::size_t one = pieces[k == 0 ? pieces.size() - 1 : k - 1].index(), other = pieces[k].index();
     if (is_in[one] != 0 && is_in[other] != 0) greatest = std::max(greatest, ratio_of(m.lengths[one].plain, m.lengths[other].plain));

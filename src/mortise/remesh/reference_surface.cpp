@@ -15,12 +15,6 @@ namespace {
 constexpr double flatness = 1e-10;  // of the size of a face
 constexpr std::size_t deepest = 128;
 
-double square_distance(const Box3& box, const Vec3d& p) {
-  const auto outside = [](double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : 0.0; };
-  const double x = outside(box.lo.x, box.hi.x, p.x), y = outside(box.lo.y, box.hi.y, p.y), z = outside(box.lo.z, box.hi.z, p.z);
-  return x * x + y * y + z * z;
-}
-
 double square_of(const Vec3d& v) { return dot(v, v); }
 
 std::vector<HalfEdge> opposites_in_faces(const SurfaceMesh& mesh, const std::vector<ModelFaceId>& face_of_triangle) {

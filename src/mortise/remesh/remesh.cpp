@@ -234,7 +234,9 @@ RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const 
                     const RemeshRules& rules) {
   check_rules(mesh, model, rules);
   const IdVector<ModelFaceId, double> counts = foretell_counts(mesh, model, sizes, rules);
-  Restraints restraints{IdVector<ModelFaceId, std::uint8_t>(model.brep.faces.size()), rules.zone};
+  const bool is_any_coarse = std::any_of(rules.rounds.begin(), rules.rounds.end(), [](double coarse) { return coarse > 1; });
+  Restraints restraints{{}, rules.zone};
+  restraints.stays_fine.resize(model.brep.faces.size(), is_any_coarse ? 0 : 1);
   double left = 1;  // of the progress
   for (std::uint32_t audit = 0;; ++audit, left /= 2) {
     WorkingMesh working(mesh, model, normals, sizes, restraints.zone);

@@ -121,7 +121,7 @@ void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chai
     const auto arc = [&](double fraction) { return from + fraction * (to - from); };
     ball.gather(w, v);
     const double least = std::clamp(ball.quality_at(w.mesh.points[v.index()]), 0.0, 0.3);
-    const double fraction = ball.fit_fraction(least, [&](double f) { return w.reference.point_at(edge, arc(f)); });
+    const double fraction = fit_fraction([&](double f) { return ball.quality_at(w.reference.point_at(edge, arc(f))) >= least; });
     if (fraction == 0) continue;
     w.arcs[v.index()] = arc(fraction);
     w.mesh.points[v.index()] = w.reference.point_at(edge, arc(fraction));

@@ -25,13 +25,13 @@ void smooth_vertex(WorkingMesh& w, VertexBall& ball, VertexId v, double good_eno
   const ModelFaceId face(w.mesh.entity(v).id);
   const double quality = std::clamp(ball.quality_at(from), 0.0, good_enough);
   const bool is_coarse = w.coarseness_of(face) > 1;
-  for (const double fraction : {1.0, 0.5, 0.25}) {
-    const SurfacePlace place = place_on_face(w, face, from + fraction * step, w.nears[v.index()], size);
-    if (!(ball.quality_at(place.point) >= quality)) continue;
-    if (is_coarse && leaves_face(w, ball, face, place.point, size) && !leaves_face(w, ball, face, from, size)) continue;
-    move_vertex(w, v, place);
-    return;
-  }
+  SurfacePlace place;
+  const double fraction = fit_fraction([&](double f) {
+    place = place_on_face(w, face, from + f * step, w.nears[v.index()], size);
+    if (!(ball.quality_at(place.point) >= quality)) return false;
+    return !is_coarse || !leaves_face(w, ball, face, place.point, size) || leaves_face(w, ball, face, from, size);
+  });
+  if (fraction > 0) move_vertex(w, v, place);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ std::vector<VertexId> vertices_inside_faces(const WorkingMesh& w) {
   std::vector<VertexId> vertices;
   for (std::size_t i = 0; i < w.mesh.vertex_count(); ++i) {
     const VertexId v(i);
-    if (w.mesh.has(v) && w.mesh.is_inside_face(v) && w.may_move(v)) vertices.push_back(v);
+    if (w.mesh.has(v) && w.may_move_in_face(v)) vertices.push_back(v);
   }
   return vertices;
 }

@@ -22,16 +22,6 @@ class VertexBall {
   /// the size, in the plane at right angles to their normals.
   [[nodiscard]] Vec3d centre() const;
 
-  /// How far towards a place it can go with a least mean ratio as good as this: all, half or a quarter of the way, or not at all.
-  /// @param place_of  fraction of the way -> the point on its entity
-  template <class PlaceOf>
-  [[nodiscard]] double fit_fraction(double least_quality, PlaceOf place_of) const {
-    for (const double fraction : {1.0, 0.5, 0.25}) {
-      if (quality_at(place_of(fraction)) >= least_quality) return fraction;
-    }
-    return 0;
-  }
-
   struct BallTriangle {
     Vec3d x, y;          ///< the other corners in turn
     Vec3d normal;        ///< of the reference
@@ -44,5 +34,15 @@ class VertexBall {
   Vec3d vertex_;
   std::vector<BallTriangle> triangles_;
 };
+
+/// How far a vertex goes: all the way to a place, half or a quarter of it, or not at all.
+/// @param is_fit  fraction of the way -> may it go there?
+template <class IsFit>
+[[nodiscard]] double fit_fraction(IsFit is_fit) {
+  for (const double fraction : {1.0, 0.5, 0.25}) {
+    if (is_fit(fraction)) return fraction;
+  }
+  return 0;
+}
 
 }  // namespace mortise

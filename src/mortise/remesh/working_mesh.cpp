@@ -123,6 +123,12 @@ bool stands_for_edge(const EditMesh& mesh, HalfEdge h) {
 
 namespace {
 
+// A triangle of the reference near an edge there is or would be, in the face of a triangle beside it.
+std::uint32_t near_of(const WorkingMesh& w, VertexId a, VertexId b, HalfEdge beside) {
+  if (w.mesh.is_inside_face(a)) return w.nears[a.index()];
+  return w.mesh.is_inside_face(b) ? w.nears[b.index()] : w.mesh.references[face_of(beside).index()];
+}
+
 bool turns_over(const WorkingMesh& w, HalfEdge h, const Vec3d& point) {
   bool found = false;
   w.mesh.for_each_use(h, [&](HalfEdge u) {
@@ -166,10 +172,7 @@ void move_vertex(WorkingMesh& w, VertexId v, const SurfacePlace& place) {
 VertexId split_at_middle(WorkingMesh& w, HalfEdge h) {
   const Vec3d middle = 0.5 * (at(w, w.mesh.origin(h)) + at(w, w.mesh.target(h)));
   const VertexId a = w.mesh.origin(h), b = w.mesh.target(h);
-  const std::uint32_t near = w.mesh.is_inside_face(a)   ? w.nears[a.index()]
-                             : w.mesh.is_inside_face(b) ? w.nears[b.index()]
-                                                        : w.mesh.references[face_of(h).index()];
-  const SurfacePlace place = place_on_face(w, w.mesh.face(face_of(h)), middle, near, w.sizes[a.index()]);
+  const SurfacePlace place = place_on_face(w, w.mesh.face(face_of(h)), middle, near_of(w, a, b, h), w.sizes[a.index()]);
   return split(w, h, turns_over(w, h, place.point) ? middle : place.point, 0, place.triangle);
 }
 
@@ -179,11 +182,6 @@ VertexId split_at_arc(WorkingMesh& w, HalfEdge h, double arc) {
 
 namespace {
 
-// A triangle of the reference near a vertex, for places in the face of a triangle at it.
-std::uint32_t near_of(const WorkingMesh& w, VertexId v, HalfEdge beside) {
-  return w.mesh.is_inside_face(v) ? w.nears[v.index()] : w.mesh.references[face_of(beside).index()];
-}
-
 bool is_further(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double within) {
   if (w.reference.is_plane(face)) return false;
   const Vec3d away = w.reference.locate(face, p, near, std::numeric_limits<double>::infinity()).point - p;
@@ -192,8 +190,7 @@ bool is_further(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uin
 
 // Is the middle of what would be an edge inside the face of a half-edge too far from that face?
 bool edge_strays(const WorkingMesh& w, VertexId a, VertexId b, HalfEdge beside, double most) {
-  const std::uint32_t near = near_of(w, w.mesh.is_inside_face(a) ? a : b, beside);
-  return is_further(w, w.mesh.face(face_of(beside)), 0.5 * (at(w, a) + at(w, b)), near,
+  return is_further(w, w.mesh.face(face_of(beside)), 0.5 * (at(w, a) + at(w, b)), near_of(w, a, b, beside),
                     most * std::min(w.sizes[a.index()], w.sizes[b.index()]));
 }
 

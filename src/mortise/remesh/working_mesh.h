@@ -41,6 +41,7 @@ struct WorkingMesh {
   [[nodiscard]] double coarseness_beside(HalfEdge h) const { return coarseness_of(mesh.face(face_of(h))); }
   [[nodiscard]] bool may_change(FaceId t) const { return t.index() >= is_frozen.size() || is_frozen[t.index()] == 0; }
   [[nodiscard]] bool may_move(VertexId v) const { return v.index() >= is_fixed.size() || is_fixed[v.index()] == 0; }
+  [[nodiscard]] bool may_move_in_face(VertexId v) const { return mesh.is_inside_face(v) && may_move(v); }
 };
 
 /// To be called for every change: reports progress after some thousands.

@@ -22,20 +22,6 @@ Vec3d unit(const Vec3d& v) {
   return size > 0 ? Vec3d{v.x / size, v.y / size, v.z / size} : Vec3d{};
 }
 
-// Per mesh edge: 1 where a model edge is that is no seam.
-std::vector<std::uint8_t> mark_creases(const ModelView& view, const MeshTopology& topology) {
-  std::vector<std::uint8_t> is_crease(topology.edges.size(), 0);
-  for (std::uint32_t e = 0; e < view.model.brep.edges.size(); ++e) {
-    if (view.model.brep.edges[ModelEdgeId(e)].is_seam) continue;
-    const auto path = view.model.classification.path.of(ModelEdgeId(e));
-    for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-      const auto found = std::lower_bound(topology.edges.begin(), topology.edges.end(), sorted_ends(path[i], path[i + 1]));
-      is_crease[static_cast<std::size_t>(found - topology.edges.begin())] = 1;
-    }
-  }
-  return is_crease;
-}
-
 bool are_in_one_plane(const FaceNormals& normals, FaceId f, FaceId g) {
   if (!normals.planes.empty() && normals.planes[f.index()] == normals.planes[g.index()]) return true;
   const Vec3d &m = normals.normals[f.index()], &n = normals.normals[g.index()];
@@ -75,7 +61,7 @@ class Bending {
   Bending(const ModelView& view, const FaceNormals& normals)
       : mesh_(view.mesh), normals_(normals), corners_(3 * mesh_.triangles.size()), pieces_(mesh_.triangles.size()) {
     const MeshTopology topology = build_topology(mesh_);
-    const std::vector<std::uint8_t> is_crease = mark_creases(view, topology);
+    const std::vector<std::uint8_t> is_crease = mark_model_edges(topology, view.model);
     for (std::size_t e = 0; e < topology.edges.size(); ++e) {
       const auto uses = topology.uses_of(MeshEdgeId(e));
       if (is_crease[e] == 0 && uses.size() == 2) join_across(uses[0], uses[1]);

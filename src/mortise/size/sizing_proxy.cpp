@@ -29,12 +29,6 @@ Box3 box_of(const SizeSource& source) {
   return {box.lo - Vec3d{by, by, by}, box.hi + Vec3d{by, by, by}};
 }
 
-double distance_to(const Box3& box, const Vec3d& p) {
-  const auto outside = [](double lo, double hi, double x) { return x < lo ? lo - x : x > hi ? x - hi : x - x; };
-  const double x = outside(box.lo.x, box.hi.x, p.x), y = outside(box.lo.y, box.hi.y, p.y), z = outside(box.lo.z, box.hi.z, p.z);
-  return std::sqrt(x * x + y * y + z * z);
-}
-
 }  // namespace
 
 SizingProxy::SizingProxy(std::span<const SizeSource> sources, const SizeLimits& limits) : limits_(limits) {
@@ -68,7 +62,7 @@ SizingProxy::Bound SizingProxy::bound_below(std::size_t node, std::span<const Si
 }
 
 double SizingProxy::least_possible(std::uint32_t node, const Vec3d& p) const {
-  return (bounds_[node].least + bounds_[node].rate * distance_to(tree_.nodes()[node].box, p)) * (1 - epsilon) - doubt_;
+  return (bounds_[node].least + bounds_[node].rate * std::sqrt(square_distance(tree_.nodes()[node].box, p))) * (1 - epsilon) - doubt_;
 }
 
 // The least of a size and those of all sources.

@@ -56,6 +56,15 @@ export function parseNumber(text, option) {
 }
 
 /**
+ * The number of an option that may be missing.
+ * @param {Arguments} args
+ * @param {string} option
+ */
+export function parseOptional({ values }, option) {
+  return values[option] === undefined ? undefined : parseNumber(values[option], option);
+}
+
+/**
  * @param {string} text "1,2,3"
  * @param {string} option
  * @param {number} count

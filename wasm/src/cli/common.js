@@ -5,7 +5,7 @@
 
 import { MeshError, invalidArgument } from '../errors.js';
 import { formats, readableFormats, writtenOnly } from '../formats.js';
-import { parseNumber } from './arguments.js';
+import { parseOptional } from './arguments.js';
 import { reportText } from './report_text.js';
 
 /**
@@ -66,9 +66,9 @@ export const arrangingHelp = `  --kind solid          refuse open meshes, naming
  * @param {{ format: string }} target
  * @returns {import('../index.js').BooleanOptions}
  */
-export function arrangingOptionsOf({ values: { kind, certify, tolerance } }, { format }) {
-  const length = tolerance === undefined ? undefined : parseNumber(tolerance, 'tolerance');
-  return /** @type {any} */ ({ kind, certify, tolerance: length, coordinates: format === 'stl' || format === 'glb' ? 'float32' : 'float64' });
+export function arrangingOptionsOf(args, { format }) {
+  const { kind, certify } = args.values;
+  return /** @type {any} */ ({ kind, certify, tolerance: parseOptional(args, 'tolerance'), coordinates: format === 'stl' || format === 'glb' ? 'float32' : 'float64' });
 }
 
 /** How a report names a file. @param {string} file */

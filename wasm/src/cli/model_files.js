@@ -7,7 +7,7 @@ import { basename } from 'node:path';
 
 import { MeshError, invalidArgument } from '../errors.js';
 import { modelFormats } from '../formats.js';
-import { parseNumber } from './arguments.js';
+import { parseOptional } from './arguments.js';
 import { displayName, namingFiles, readOperand, readingFormat, send, targetOf } from './common.js';
 
 /**
@@ -44,9 +44,8 @@ export const namingHelp = `${modelAngleHelp}  --interfaces          names there 
 `;
 
 /** @param {Arguments} args */
-export function anglesOf({ values }) {
-  const angle = (/** @type {string} */ name) => (values[name] === undefined ? undefined : parseNumber(values[name], name));
-  return { faceAngle: angle('face-angle'), edgeAngle: angle('edge-angle') };
+export function anglesOf(args) {
+  return { faceAngle: parseOptional(args, 'face-angle'), edgeAngle: parseOptional(args, 'edge-angle') };
 }
 
 /**

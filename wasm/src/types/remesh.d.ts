@@ -83,5 +83,5 @@ export function remesh(mesh: MeshInput, options: RemeshOptions & { operands?: un
 /** Of what an operation answered: `operands` are the meshes of the call, moved as they were there, and creases are those of their triangles. */
 export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): Promise<RemeshResult>;
 
-/** How many triangles the sizes ask for on a mesh, to a few per cent. */
+/** How many triangles the sizes ask for on a mesh, to a few per cent; where sizes grow fast up to a seventh more come out. */
 export function predictTriangles(mesh: MeshInput, options: RemeshSizes): Promise<number>;

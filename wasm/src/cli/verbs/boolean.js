@@ -5,7 +5,7 @@
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
-import { parseNumber, parseNumbers } from '../arguments.js';
+import { parseNumbers, parseOptional } from '../arguments.js';
 import { arrangingHelp, arrangingOptions, arrangingOptionsOf, displayName, namingFiles, printReport, readOperand, send } from '../common.js';
 import { exitCode } from '../exit_codes.js';
 import { remeshNotes } from './remesh.js';
@@ -123,11 +123,6 @@ function writeResult(mortise, { result, files, operands, target }, args, streams
   if (args.values.interfaces) model.attributes.push(...interfaces);
   if (note !== undefined) result.report.notes.push(note);
   sendModel(mortise, model, target, streams);
-}
-
-/** @param {import('../arguments.js').Arguments} args @param {string} name */
-function parseOptional({ values }, name) {
-  return values[name] === undefined ? undefined : parseNumber(values[name], name);
 }
 
 /**

@@ -4,7 +4,7 @@
 // @ts-check
 
 import { invalidArgument } from '../../errors.js';
-import { parseNumber } from '../arguments.js';
+import { parseOptional } from '../arguments.js';
 import { asLists, displayName, namingFiles, readingFormat, writingOptions } from '../common.js';
 import { exitCode } from '../exit_codes.js';
 import { keepsModels, modelTargetOf, nameRegions, sendModel, shortName } from '../model_files.js';
@@ -80,7 +80,7 @@ The faces, edges, vertices and regions of a mesh, and the names on them; - is th
   },
   run(mortise, args, streams) {
     if (args.positionals.length !== 1) throw invalidArgument('model needs one mesh file');
-    const number = (/** @type {string} */ name) => (args.values[name] === undefined ? undefined : parseNumber(args.values[name], name));
+    const number = (/** @type {string} */ name) => parseOptional(args, name);
     const options = {
       faceAngle: number('face-angle'),
       weakAngle: number('weak-angle'),
