@@ -58,12 +58,13 @@ PlacedTriangle place_triangle(const std::array<Vec3d, 3>& corners, std::uint8_t 
 ClosestPlace closest_in(const PlacedTriangle& t, const Vec3d& p) {
   const Vec3d from = p - t.origin;
   const PlanePoint at{dot(from, t.axis_x), dot(from, t.axis_y)}, apex{t.apex_x, t.apex_y};
-  if (t.corner_count < 3 || !(at.y > 0)) return {{std::clamp(at.x, 0.0, t.length), 0}};
+  if (t.corner_count < 3 || !(at.y > 0)) return {{std::clamp(at.x, 0.0, t.length), 0}, false, t.first};
   const bool is_left = apex.x * at.y - apex.y * at.x > 0;
   const bool is_right = (at.x - t.length) * apex.y - (apex.x - t.length) * at.y > 0;
   if (!is_left && !is_right && at.y <= apex.y) return {at, true};
   const PlanePoint left = closest_between({0, 0}, apex, at), right = closest_between({t.length, 0}, apex, at);
-  return {square_between(left, at) <= square_between(right, at) ? left : right};
+  const bool is_on_left = square_between(left, at) <= square_between(right, at);
+  return {is_on_left ? left : right, false, static_cast<std::uint8_t>((t.first + (is_on_left ? 2U : 1U)) % 3)};
 }
 
 }  // namespace mortise

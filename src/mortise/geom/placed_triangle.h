@@ -18,6 +18,7 @@ struct PlanePoint {
 struct ClosestPlace {
   PlanePoint at;
   bool is_inside = false;  ///< a foot of the perpendicular, on no edge
+  std::uint8_t edge = 0;   ///< otherwise: it is on the edge from this corner to the next
 };
 
 /// The longest edge runs from the origin along the first axis; the third corner lies above it, between its ends.

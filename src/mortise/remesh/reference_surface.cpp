@@ -86,17 +86,15 @@ bool ReferenceSurface::lies_in_plane(const Face& face) const {
 ReferenceSurface::Foot ReferenceSurface::foot_on(std::uint32_t triangle, const Vec3d& p) const {
   const ClosestPlace closest = closest_in(placed_[triangle], p);
   const Vec3d point = in_space(placed_[triangle], closest.at);
-  return {{point, triangle}, square_of(point - p), closest.is_inside};
+  return {{point, triangle}, square_of(point - p), closest.is_inside, closest.edge};
 }
 
-ReferenceSurface::Foot ReferenceSurface::closest_beside(const Foot& from, const Vec3d& p) const {
-  Foot best = from;
-  for (HalfEdge h = 3 * from.place.triangle; h < 3 * from.place.triangle + 3; ++h) {
-    if (opposite_[h] == h) continue;
-    const Foot foot = foot_on(opposite_[h] / 3, p);
-    if (foot.square < best.square) best = foot;
-  }
-  return best;
+// The other triangle of the edge it is on, when that is closer.
+ReferenceSurface::Foot ReferenceSurface::closest_across_edge(const Foot& from, const Vec3d& p) const {
+  const HalfEdge h = 3 * from.place.triangle + from.edge;
+  if (opposite_[h] == h) return from;
+  const Foot foot = foot_on(opposite_[h] / 3, p);
+  return foot.square < from.square ? foot : from;
 }
 
 // Of the triangles of the face round the corner it is closest to.
@@ -125,7 +123,7 @@ ReferenceSurface::Foot ReferenceSurface::closest_round_corner(const Foot& from, 
 ReferenceSurface::Foot ReferenceSurface::walk(const Vec3d& p, std::uint32_t from) const {
   Foot here = foot_on(from, p);
   while (!here.is_inside) {
-    Foot next = closest_beside(here, p);
+    Foot next = closest_across_edge(here, p);
     if (next.place.triangle == here.place.triangle) next = closest_round_corner(here, p);
     if (next.place.triangle == here.place.triangle) break;
     here = next;

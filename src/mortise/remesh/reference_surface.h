@@ -50,13 +50,14 @@ class ReferenceSurface {
     SurfacePlace place;
     double square = 0;  ///< of the distance
     bool is_inside = false;
+    std::uint8_t edge = 0;  ///< as in ClosestPlace
   };
 
   [[nodiscard]] bool lies_in_plane(const Face& face) const;
   [[nodiscard]] Foot foot_on(std::uint32_t triangle, const Vec3d& p) const;
   /// From triangle to triangle as long as one beside it is closer.
   [[nodiscard]] Foot walk(const Vec3d& p, std::uint32_t from) const;
-  [[nodiscard]] Foot closest_beside(const Foot& from, const Vec3d& p) const;
+  [[nodiscard]] Foot closest_across_edge(const Foot& from, const Vec3d& p) const;
   [[nodiscard]] Foot closest_round_corner(const Foot& from, const Vec3d& p) const;
   [[nodiscard]] Foot closest_of(const Face& face, const Vec3d& p, const Foot& start) const;
 
