@@ -54,13 +54,14 @@ SurfaceMesh boxes_with_wall() {
 void change_at_random(EditMesh& mesh, RandomSource& random, std::size_t changes) {
   for (std::size_t k = 0; k < changes; ++k) {
     const auto h = static_cast<HalfEdge>(random.below(mesh.half_edge_count()));
-    const std::size_t kind = random.below(3);
+    const std::size_t kind = random.below(4);
     if (!mesh.has(h)) continue;
     const VertexId gone = random.once_in(2) ? mesh.origin(h) : mesh.target(h);
     const Vec3d middle = 0.5 * (mesh.points[mesh.origin(h).index()] + mesh.points[mesh.target(h).index()]);
     if (kind == 0) static_cast<void>(mesh.split_edge(h, middle));
     if (kind == 1 && can_swap(mesh, h)) mesh.swap_edge(h);
     if (kind == 2 && mesh.can_collapse(h, gone)) mesh.collapse_edge(h, gone);
+    if (kind == 3) static_cast<void>(mesh.split_in_three(face_of(h), middle));
     mesh.check();
   }
 }
@@ -89,6 +90,21 @@ TEST_CASE("a split edge has a vertex on its entity, and every triangle of it is 
     CHECK(count(copy) == Counts{before.vertices + 1, before.triangles + uses, before.edge_uses + (on_edge ? uses : 0)});
   }
   CHECK(uses_seen == 3);
+}
+
+TEST_CASE("a triangle split in three has a vertex inside its face", "[remesh]") {
+  const SurfaceMesh mesh = boxes_with_wall();
+  EditMesh edit(mesh, seamless_model(mesh));
+  const Counts before = count(edit);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const VertexId m = edit.split_in_three(FaceId(t), {9, 9, 9});
+    edit.check();
+    CHECK(edit.is_inside_face(m));
+    CHECK(edit.entity(m) == ModelEntity{EntityDimension::Face, edit.face(FaceId(t)).value});
+    for (const VertexId v : mesh.triangles[t]) CHECK(edit.are_neighbours(m, v));
+  }
+  const std::size_t n = mesh.triangles.size();
+  CHECK(count(edit) == Counts{before.vertices + n, before.triangles + 2 * n, before.edge_uses});
 }
 
 TEST_CASE("collapsing a new vertex undoes the split that made it", "[remesh]") {

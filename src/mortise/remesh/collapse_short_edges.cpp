@@ -23,7 +23,7 @@ class EdgeCollapser {
 
  private:
   void push(HalfEdge h) {
-    if (w_.mesh.is_on_model_edge(h)) return;
+    if (w_.mesh.is_on_model_edge(h) || !w_.may_change(face_of(h))) return;
     const double length = metric_length(w_, h), least = shortest_ * w_.coarseness_beside(h);
     if (length < least) queue_.push(w_.mesh, h, least / length);
   }

@@ -218,6 +218,24 @@ VertexId EditMesh::split_edge(HalfEdge h, const Vec3d& point) {
   return m;
 }
 
+VertexId EditMesh::split_in_three(FaceId t, const Vec3d& point) {
+  const VertexId m = add_vertex(point, {EntityDimension::Face, face(t).value});
+  const auto ab = static_cast<HalfEdge>(3 * t.index()), bm = ab + 1, ma = ab + 2;  // as they are afterwards
+  const auto cut_off = [&](HalfEdge side) {
+    const auto part = static_cast<HalfEdge>(3 * add_triangle({origin(side), target(side), m}, t).index());
+    move_link(side, part);
+    replace_start(origin(side), side, part);
+    return part;
+  };
+  const HalfEdge bc = cut_off(bm), ca = cut_off(ma);
+  corners_[ma] = m;
+  set_opposite(bm, bc + 2);
+  set_opposite(bc + 1, ca + 2);
+  set_opposite(ca + 1, ma);
+  leaving_[m.index()] = ma;
+  return m;
+}
+
 void EditMesh::swap_edge(HalfEdge h) {
   const HalfEdge t = links_[h], hn = next_in_face(h), hp = previous_in_face(h), tn = next_in_face(t), tp = previous_in_face(t);
   const VertexId a = origin(h), b = origin(t), c = origin(hp), d = origin(tp);

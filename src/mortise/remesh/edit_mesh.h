@@ -109,6 +109,13 @@ class EditMesh {
   /// @return m, on the entity the edge is on
   VertexId split_edge(HalfEdge h, const Vec3d& point);
 
+  ///        c              c
+  ///       / \            /|\     a triangle
+  ///      /   \    ->    / m \    in three
+  ///     a-----b        a-----b
+  /// @return m, inside the face
+  VertexId split_in_three(FaceId t, const Vec3d& point);
+
   ///      c              c
   ///     / \            /|\      the edge of two triangles
   ///    a---b    ->    a | b     inside a face;

@@ -28,6 +28,13 @@ void collapse_short_edges(WorkingMesh& w, double shortest, double longest, doubl
 /// Swaps edges until no swap lowers a largest angle (Fig. 21).
 void swap_edges(WorkingMesh& w);
 
+/// Marks model faces in planes all of whose triangles may change.
+void await_front(WorkingMesh& w);
+/// Meshes them anew between model edges, edges as long as the size: a front of new vertices runs inwards. Then they are done, but those
+/// with a triangle that turns the wrong way round: these stay as they were. Differs from the paper, whose frontal meshes (Figs. 26d, 27h)
+/// are those of another program.
+void mesh_planar_faces(WorkingMesh& w);
+
 /// Those that may move.
 [[nodiscard]] std::vector<VertexId> vertices_inside_faces(const WorkingMesh& w);
 

@@ -102,12 +102,14 @@ struct ProgressSpan {
 void change_mesh(WorkingMesh& w, const RemeshRules& rules, const IdVector<ModelFaceId, double>& counts, const ProgressSpan& span) {
   const double most_new = splits_allowed * sum_of(w, counts) + 1000;
   const auto all = static_cast<double>(rules.rounds.size() + 1);
+  if (rules.mesher == Mesher::Frontal) await_front(w);
   for (std::size_t round = 0; round < rules.rounds.size(); ++round) {
     w.coarseness = rules.rounds[round];
     w.fraction = span.at(static_cast<double>(round) / all);
     report_progress(w.progress, "remesh", w.fraction);
     swap_edges(w);
     resample_model_edges(w);
+    if (round + 1 == rules.rounds.size()) mesh_planar_faces(w);
     collapse_short_edges(w, rules.shortest, rules.longest);
     swap_edges(w);
     split_long_edges(w, rules.longest, most_new);
@@ -119,6 +121,7 @@ void change_mesh(WorkingMesh& w, const RemeshRules& rules, const IdVector<ModelF
     swap_edges(w);
     settle_on_reference(w);
   }
+  w.is_done = IdVector<ModelFaceId, std::uint8_t>(w.brep.faces.size());
   w.fraction = span.at(1 - 1 / all);
   report_progress(w.progress, "remesh", w.fraction);
   improve_worst_triangles(w, rules.worst_angle_deg, rules.longest, rules.last_rounds);

@@ -15,7 +15,14 @@
 
 namespace mortise {
 
+/// How model faces in planes are meshed; all others are by local changes.
+enum class Mesher : std::uint8_t {
+  Local,   ///< splits, collapses, swaps and moves
+  Frontal  ///< anew between model edges, by a front that runs inwards, in the last round, where all of the face may change
+};
+
 struct RemeshRules {
+  Mesher mesher = Mesher::Local;
   double shortest = 0.92;                           ///< edges inside faces shorter than this in units of the size are collapsed
   double longest = 1.42;                            ///< longer ones are split
   std::vector<double> rounds{8, 8, 4, 4, 2, 2, 1};  ///< of collapses, swaps, splits and moves, each for the size taken so many times

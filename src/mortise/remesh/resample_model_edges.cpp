@@ -112,6 +112,13 @@ void split_long_steps(WorkingMesh& w, ModelEdgeId edge, const Chain& chain, doub
   }
 }
 
+// By the front, before long: till then triangles may be as bad as they like.
+bool are_all_replaced(const WorkingMesh& w, VertexId v) {
+  bool are_all = true;
+  w.mesh.for_each_leaving(v, [&](HalfEdge h) { are_all = are_all && w.awaits_front[w.mesh.face(face_of(h))] != 0; });
+  return are_all;
+}
+
 void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chain& chain) {
   const ChainMeasure m = measure(w, edge, chain);
   const std::size_t count = chain.size() - 1;
@@ -120,7 +127,7 @@ void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chai
     const double from = w.arcs[v.index()], to = m.arc_at(m.metric.back() * static_cast<double>(k) / static_cast<double>(count));
     const auto arc = [&](double fraction) { return from + fraction * (to - from); };
     ball.gather(w, v);
-    const double least = std::clamp(ball.quality_at(w.mesh.points[v.index()]), 0.0, 0.3);
+    const double least = are_all_replaced(w, v) ? 0 : std::clamp(ball.quality_at(w.mesh.points[v.index()]), 0.0, 0.3);
     const double fraction = fit_fraction([&](double f) { return ball.quality_at(w.reference.point_at(edge, arc(f))) >= least; });
     if (fraction == 0) continue;
     w.arcs[v.index()] = arc(fraction);
@@ -132,7 +139,7 @@ void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chai
 // The least of the faces at a mesh edge.
 double coarseness_round(const WorkingMesh& w, HalfEdge h) {
   double least = w.coarseness;
-  w.mesh.for_each_use(h, [&](HalfEdge u) { least = std::min(least, w.coarseness_beside(u)); });
+  w.mesh.for_each_use(h, [&](HalfEdge u) { least = std::min(least, w.coarseness_at_edges_of(w.mesh.face(face_of(u)))); });
   return least;
 }
 

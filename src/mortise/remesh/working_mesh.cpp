@@ -81,7 +81,9 @@ WorkingMesh::WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, 
       sizes(sizing.sizes_at(given.points)),
       arcs(given.points.size()),
       nears(given.points.size()),
-      stays_fine(model.brep.faces.size()) {
+      stays_fine(model.brep.faces.size()),
+      awaits_front(model.brep.faces.size()),
+      is_done(model.brep.faces.size()) {
   for (std::uint32_t t = 0; t < given.triangles.size(); ++t) {
     for (const VertexId v : given.triangles[t]) nears[v.index()] = t;
   }
@@ -143,16 +145,20 @@ bool turns_over(const WorkingMesh& w, HalfEdge h, const Vec3d& point) {
 VertexId split(WorkingMesh& w, HalfEdge h, const Vec3d& point, double arc, std::uint32_t near) {
   count_change(w);
   const VertexId m = w.mesh.split_edge(h, point);
-  w.sizes.resize(w.mesh.vertex_count());
-  w.arcs.resize(w.mesh.vertex_count());
-  w.nears.resize(w.mesh.vertex_count());
-  w.sizes[m.index()] = w.proxy.size_at(point);
-  w.arcs[m.index()] = arc;
-  w.nears[m.index()] = near;
+  add_values(w, m, arc, near);
   return m;
 }
 
 }  // namespace
+
+void add_values(WorkingMesh& w, VertexId v, double arc, std::uint32_t near) {
+  w.sizes.resize(w.mesh.vertex_count());
+  w.arcs.resize(w.mesh.vertex_count());
+  w.nears.resize(w.mesh.vertex_count());
+  w.sizes[v.index()] = w.proxy.size_at(w.mesh.points[v.index()]);
+  w.arcs[v.index()] = arc;
+  w.nears[v.index()] = near;
+}
 
 SurfacePlace place_on_face(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double size) {
   return w.reference.is_plane(face) ? SurfacePlace{p, near} : w.reference.locate(face, p, near, found_within * size);

@@ -3,6 +3,7 @@
 // What the passes of the remesher share: the mesh under change, the one it came from, the sizes wanted, and what changes are fit.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -12,6 +13,8 @@
 #include "mortise/size/sizing_proxy.h"
 
 namespace mortise {
+
+inline constexpr double coarse_before_front = 4;  ///< in units of the size: inside faces that the front will mesh anew
 
 /// Every vertex on the entity it had, every new one put on one.
 struct WorkingMesh {
@@ -34,12 +37,20 @@ struct WorkingMesh {
   double coarseness = 1;  ///< edges are made this many times as long as the sizes say, in faces that are made coarse at all
   IdVector<ModelFaceId, std::uint8_t> stays_fine;  ///< per model face: 1 when it is not
 
+  IdVector<ModelFaceId, std::uint8_t> awaits_front;  ///< per model face: 1 when it is to be meshed anew: till then it is coarse inside
+  IdVector<ModelFaceId, std::uint8_t> is_done;       ///< per model face: 1 when only its vertices may still move
+
   std::vector<std::uint8_t> is_frozen;  ///< per triangle of the given mesh: outside the zone; no new one ever is
   std::vector<std::uint8_t> is_fixed;   ///< per vertex of the given mesh: of a frozen triangle, or a tip
 
-  [[nodiscard]] double coarseness_of(ModelFaceId face) const { return stays_fine[face] != 0 ? 1 : coarseness; }
+  [[nodiscard]] double coarseness_at_edges_of(ModelFaceId face) const { return stays_fine[face] != 0 ? 1 : coarseness; }
+  [[nodiscard]] double coarseness_of(ModelFaceId face) const {
+    return std::max(coarseness_at_edges_of(face), awaits_front[face] != 0 ? coarse_before_front : 1);
+  }
   [[nodiscard]] double coarseness_beside(HalfEdge h) const { return coarseness_of(mesh.face(face_of(h))); }
-  [[nodiscard]] bool may_change(FaceId t) const { return t.index() >= is_frozen.size() || is_frozen[t.index()] == 0; }
+  [[nodiscard]] bool may_change(FaceId t) const {
+    return (t.index() >= is_frozen.size() || is_frozen[t.index()] == 0) && is_done[mesh.face(t)] == 0;
+  }
   [[nodiscard]] bool may_move(VertexId v) const { return v.index() >= is_fixed.size() || is_fixed[v.index()] == 0; }
   [[nodiscard]] bool may_move_in_face(VertexId v) const { return mesh.is_inside_face(v) && may_move(v); }
 };
@@ -62,6 +73,10 @@ void count_change(WorkingMesh& w);
 VertexId split_at_middle(WorkingMesh& w, HalfEdge h);
 /// Splits an edge on a model edge at this length along it.
 VertexId split_at_arc(WorkingMesh& w, HalfEdge h, double arc);
+
+/// Takes in a vertex that is new in the mesh: its size, and where it lies.
+/// @param arc, near  as in WorkingMesh
+void add_values(WorkingMesh& w, VertexId v, double arc, std::uint32_t near);
 
 /// Could the diagonal of the other two corners take the place of an edge inside a face: no fold, no stray from the surface, no such edge
 /// elsewhere?
