@@ -22,6 +22,7 @@ using emscripten::val;
 
 RemeshRules remesh_rules_in(const val& settings) {
   RemeshRules rules = settings["isPaper"].as<bool>() ? paper_rules() : RemeshRules{};
+  if (settings["isFrontal"].as<bool>()) rules.mesher = Mesher::Frontal;
   const val rounds = settings["rounds"];
   if (!rounds.isUndefined()) rules.rounds = emscripten::convertJSArrayToNumberVector<double>(rounds);
   rules.audits = settings["audits"].as<std::uint32_t>();
@@ -64,9 +65,8 @@ std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) 
 }
 
 /// {mesh, sources, modelFaces, modelEdges, kept, newCrossings, predicted, before, after}.
-/// @param settings  those of rules_in, with sources?, isPaper, rounds?, lastRounds, audits, zone?, layers?, mostTriangles and listener:
-/// (stage, fraction)
-/// -> go on?
+/// @param settings  those of rules_in, with sources?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?, mostTriangles and
+/// listener: (stage, fraction) -> go on?
 val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
     const auto sizes = sizing_of(sizing);

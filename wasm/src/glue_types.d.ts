@@ -107,6 +107,7 @@ export interface RemeshSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
   isPaper: boolean;
+  isFrontal: boolean;
   rounds: Float64Array | undefined;
   zone: Uint8Array | undefined;
   layers: number | undefined;

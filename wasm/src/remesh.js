@@ -15,12 +15,13 @@ import { Sizing, makeSizing } from './sizing.js';
 
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
-const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'preset', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
+const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
 const mostRounds = 1000;
 const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
 
 const presets = ['default', 'paper'];
+const meshers = ['local', 'frontal'];
 
 /** @param {unknown} value @param {string} name */
 function checkTimes(value, name) {
@@ -128,11 +129,12 @@ export function remeshFunctions(session, ask) {
   return {
     remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, remeshOptions);
-      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, preset = 'default', rounds, lastRounds = 10, audits = 6 } = checked;
+      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
       if (!presets.includes(preset)) throw invalidArgument(`preset must be ${presets.map((name) => `'${name}'`).join(' or ')}, not ${describe(preset)}`);
+      if (!meshers.includes(mesher)) throw invalidArgument(`mesher must be ${meshers.map((name) => `'${name}'`).join(' or ')}, not ${describe(mesher)}`);
       const { mesh, sources } = checkGiven(given, operands);
       const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
-      const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
+      const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
       const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, sources !== undefined, checked.zone) };
       const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, ...limits, ...zones };
       const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));

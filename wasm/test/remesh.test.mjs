@@ -119,6 +119,20 @@ test('the preset of the paper makes longer edges, rounds of the size alone take 
   assert.ok(counts[1] < 0.6 * counts[0] && Math.abs(counts[2] / counts[0] - 1) < 0.1, String(counts));
 });
 
+test('the frontal mesher makes new triangles in planes, of the same sizes and on the same model', async () => {
+  const options = { size: 0.1, sources: [{ type: 'point', at: [0, 0, 1], size: 0.02 }] };
+  const [local, frontal] = [await remesh(cube(), options), await remesh(cube(), { ...options, mesher: 'frontal' })];
+  assert.deepEqual(await remesh(cube(), { ...options, mesher: 'local' }), local);
+  assert.notDeepEqual(frontal.mesh, local.mesh);
+  assert.ok(frontal.after.minAngleDeg > 30 && Math.abs(frontal.after.triangles / frontal.predicted - 1) < 0.15, `${frontal.after.triangles} of ${frontal.predicted}`);
+  close(frontal.after.area, 6);
+  assert.equal(new Set(frontal.modelFaces).size, 6);
+  assert.deepEqual([frontal.kept.length, frontal.newCrossings], [0, 0]);
+  const { closed, selfIntersections } = await inspect(frontal.mesh);
+  assert.deepEqual([closed, selfIntersections], [true, 0]);
+  assert.deepEqual(await remesh(cube(), { ...options, mesher: 'frontal' }), frontal);
+});
+
 test('where faces would come to cross, triangles stay', async () => {
   const thin = { positions: [0, 2, 2, 3, 4, 2, 3, 4, 4, 0, 3, 4], triangles: [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0] };
   const size = 1.253;
@@ -183,6 +197,7 @@ test('what means nothing is refused by name', async () => {
     [cube(), { size: 1, lastRounds: -1 }, /lastRounds must be a whole number, 0 to 1000/],
     [cube(), { size: 1, audits: 1.5 }, /audits must be a whole number/],
     [cube(), { size: 1, preset: 'botsch' }, /preset must be 'default' or 'paper', not /],
+    [cube(), { size: 1, mesher: 'front' }, /mesher must be 'local' or 'frontal', not /],
     [cube(), { size: 1, mostTriangles: 0 }, /mostTriangles must be a number, 1 to/],
     [cube(), { size: 1, onProgress: 5 }, /onProgress must be a function/],
     [cube(), { sizing: made, size: 1 }, /a sizing says all about sizes: leave out size/],
@@ -236,6 +251,7 @@ test('the command refuses with words and exit codes', async (t) => {
     [2, /--size needs a number, not 'x'/, '--size', 'x'],
     [2, /size must be a positive number/, '--size', '-1'],
     [2, /featureAngle must be an angle/, '--size', '1', '--feature-angle', '200'],
+    [2, /mesher must be 'local' or 'frontal'/, '--size', '1', '--mesher', 'gmsh'],
     [3, /no\.json: this is no JSON: .*\[PARSE_FAILED\]/, '--size', '1', '--sources', 'no.json'],
     [2, /object\.json: sources must be a JSON array/, '--size', '1', '--sources', 'object.json'],
     [2, /entity\.json: sources\[0\] must have a type: point, segment, segments, triangle/, '--size', '1', '--sources', 'entity.json'],

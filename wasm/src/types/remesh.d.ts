@@ -34,6 +34,11 @@ export type RemeshOptions = RemeshSizes & {
   mostTriangles?: number;
   /** `paper`: edges are collapsed below the size and split above twice the size, in three rounds; they come out 1.4 sizes long. */
   preset?: 'default' | 'paper';
+  /**
+   * `frontal`: model faces in planes, all of whose triangles may change, get new triangles between their edges from a front that runs inwards; edges as
+   * long as the size, whatever the preset. All others are remeshed by local changes. Default `local`.
+   */
+  mesher?: 'local' | 'frontal';
   /** Rounds of splits, collapses, swaps and moves, each for the size taken so many times: 1 to 64. Default [8, 8, 4, 4, 2, 2, 1]. */
   rounds?: readonly number[];
   /** On the worst triangles, up to 1000. Default 10. */

@@ -40,18 +40,20 @@ The same model (faces, edges and corners by angles and labels) with triangles of
 
 ${sizesHelp}  --most-triangles N     sizes that ask for more are refused (default 20 million)
   --preset NAME          default; paper: edges are collapsed below H and split above 2 H
+  --mesher NAME          local; frontal: faces in planes get new triangles from their edges inwards
   -o, --output FILE      .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
   --format FORMAT        stl, stl-ascii, obj, ply, ply-ascii, off, msh, msh22, vtk, vtu, mesh; glb, inp, bdf:
                          of the output, and of a mesh from - (the standard input)
   --json                 print the report as JSON, with before, after and the count predicted
   -q, --quiet            print no report
 `,
-  options: { ...writingOptions, ...sizeOptionsOf(numbers), preset: { type: /** @type {'string'} */ ('string') } },
+  options: { ...writingOptions, ...sizeOptionsOf(numbers), preset: { type: /** @type {'string'} */ ('string') }, mesher: { type: /** @type {'string'} */ ('string') } },
   run(mortise, args, streams) {
     targetOf(args);
     if (args.positionals.length !== 1) throw invalidArgument('remesh needs one mesh file');
     const preset = args.values.preset === undefined ? {} : { preset: args.values.preset };
-    const options = { ...sizesOf(args, numbers, 'remesh'), ...preset };
+    const mesher = args.values.mesher === undefined ? {} : { mesher: args.values.mesher };
+    const options = { ...sizesOf(args, numbers, 'remesh'), ...preset, ...mesher };
     const given = readOperand(mortise, args.positionals[0], args, streams);
     const result = mortise.remesh(given, options);
     const { mesh, predicted, before, after, kept, newCrossings } = result;
