@@ -57,7 +57,7 @@ export function startCalculation(model, engine) {
     try {
       const onProgress = (/** @type {import('./protocol.js').Progress} */ { fraction }) => model.advance(title, fraction);
       const evaluation = await engine.call('evaluate', { ...args, inspect: !brief }, { onProgress });
-      model.result = { ...evaluation, choice, asked, keys: operands.map(({ key }) => key), milliseconds: performance.now() - begin };
+      model.result = { ...evaluation, choice, asked, operands: args.operands, milliseconds: performance.now() - begin };
       model.isOld = false;
       model.trouble = undefined;
       model.tell('result');

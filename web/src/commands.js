@@ -6,6 +6,7 @@
 import { choices, inOrder } from './choices.js';
 import { letterOf } from './model.js';
 import { stepsOf } from './placement.js';
+import { isForCommand } from './remesh_wish.js';
 
 /** @typedef {import('./protocol.js').Operand} Operand */
 
@@ -43,11 +44,20 @@ function operandLines({ source, placement, display }, letter, taken) {
   return { file, lines: [...made, ['npx mortise transform', original, ...steps, '-o', file].join(' ')] };
 }
 
-/** @param {Pick<import('./model.js').Model, 'operands' | 'choice'>} model */
-export function commandsOf({ operands, choice }) {
+/** What the command is told of remeshing; nothing when it has no words for the wish. @param {import('./protocol.js').RemeshWish | undefined} wish */
+function remeshOptions(wish) {
+  if (wish === undefined || !isForCommand(wish)) return [];
+  return [option(['remesh', wish.size]), ...(wish.layers > 0 ? [option(['layers', wish.layers])] : [])];
+}
+
+/**
+ * @param {Pick<import('./model.js').Model, 'operands' | 'choice'>} model
+ * @param {import('./protocol.js').RemeshWish} [wish] when the result was remeshed
+ */
+export function commandsOf({ operands, choice }, wish) {
   const taken = operands.map(({ source }) => (source.kind === 'file' ? source.name : ''));
   const made = operands.map((operand, position) => operandLines(operand, letterOf(position).toLowerCase().replace('#', 'part-'), taken));
   const files = inOrder(choice, made).map(({ file }) => file);
-  const last = ['npx mortise', choices[choice].operation, ...files, '-o', freeName('result', taken)].join(' ');
+  const last = ['npx mortise', choices[choice].operation, ...files, '-o', freeName('result', taken), ...remeshOptions(wish)].join(' ');
   return [...made.flatMap(({ lines }) => lines), last];
 }

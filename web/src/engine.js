@@ -27,7 +27,7 @@ export class EngineError extends Error {
  */
 
 /** What the person waits for. The others are short, and asked of the next worker again. @type {(keyof Calls)[]} */
-const cancellable = ['start', 'load', 'evaluate'];
+const cancellable = ['start', 'load', 'evaluate', 'remesh'];
 
 /** Starts the worker. */
 export function startEngine() {
@@ -86,11 +86,11 @@ export function startEngine() {
     });
   }
 
-  /** Whatever is being read or computed is rejected as CANCELLED, at once. */
-  function cancel() {
+  /** Whatever is being read or computed is rejected as CANCELLED, at once. @param {(keyof Calls)[]} [names] of the calls that are not wanted any more */
+  function cancel(names = cancellable) {
     worker.onmessage = worker.onerror = null;
     worker.terminate();
-    rejectAll({ code: 'CANCELLED', message: 'cancelled', details: {} }, (name) => cancellable.includes(name));
+    rejectAll({ code: 'CANCELLED', message: 'cancelled', details: {} }, (name) => names.includes(name));
     worker = startWorker();
     const kept = [...waiting.values()];
     handOverCore();

@@ -5,6 +5,7 @@
 
 import './style/page.css';
 import './style/panel.css';
+import './style/remesh.css';
 
 import { startCalculation } from './calculation.js';
 import { byId } from './dom.js';
@@ -14,6 +15,8 @@ import { createOperands } from './operands.js';
 import { startFiles } from './panel/files.js';
 import { startParts } from './panel/parts.js';
 import { startPlacementFields } from './panel/placement_fields.js';
+import { startRemeshComparison } from './panel/remesh_comparison.js';
+import { startRemeshWish } from './panel/remesh_wish.js';
 import { startReport } from './panel/report.js';
 import { startSheet } from './panel/sheet.js';
 import { startShortcuts } from './panel/shortcuts.js';
@@ -22,12 +25,14 @@ import { startTakeAway } from './panel/take_away.js';
 import { startToolbar } from './panel/toolbar.js';
 import { startTrouble } from './panel/trouble.js';
 import { startWork } from './panel/work.js';
+import { startRemeshing } from './remeshing.js';
 import { createScene } from './view/scene.js';
 
 const model = createModel();
 const engine = startEngine();
 const operands = createOperands(model, engine);
 
+startRemeshing(model, engine); // first: what is remeshed goes before anything else looks at a change
 startCalculation(model, engine);
 model.on('cancel', engine.cancel);
 startToolbar(model);
@@ -35,6 +40,8 @@ startParts(model, operands);
 startFiles(operands);
 startPlacementFields(model);
 startReport(model);
+startRemeshWish(model);
+startRemeshComparison(model);
 startStatus(model);
 startWork(model);
 startTrouble(model);

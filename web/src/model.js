@@ -3,10 +3,12 @@
 // What the page knows. Parts of the page change it and tell; others listen.
 // @ts-check
 
+import { firstWish } from './remesh_wish.js';
+
 /** @typedef {import('./protocol.js').Operand} Operand */
 /**
- * @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown' | 'cancel' | 'again'} Wish what the person does
- * @typedef {Wish | 'busy' | 'result' | 'trouble' | 'frame' | 'frameTrouble'} Topic
+ * @typedef {'operands' | 'chosen' | 'placement' | 'dragging' | 'choice' | 'mode' | 'shown' | 'cancel' | 'again' | 'wish' | 'remesh' | 'unremesh' | 'bin'} Wish what the person does
+ * @typedef {Wish | 'busy' | 'result' | 'remeshed' | 'predicted' | 'trouble' | 'frame' | 'frameTrouble'} Topic
  */
 
 /** Who listens to what. */
@@ -39,7 +41,7 @@ export function createModel() {
     /** @type {import('./protocol.js').GizmoMode} */
     mode: 'translate',
     /** @type {import('./protocol.js').Shown} */
-    shown: { wireframe: false, graph: true, ghosts: true },
+    shown: { edges: false, graph: true, ghosts: true },
     /** Things under way. */
     busy: 0,
     /** The last one that was begun or got on. @type {import('./protocol.js').Work} */
@@ -48,11 +50,29 @@ export function createModel() {
     cancelled: false,
     /** @type {import('./protocol.js').Result | undefined} */
     result: undefined,
+    /** The triangles wanted. */
+    wish: firstWish(),
+    /** About how many that are; undefined when nobody knows. @type {number | undefined} */
+    predicted: undefined,
+    /** Made of the result. @type {import('./protocol.js').Remeshed | undefined} */
+    remeshed: undefined,
+    /** The result is looked at as it was before it was remeshed. */
+    looksBack: false,
+    /** Bin of angles whose triangles are marked. @type {number | undefined} */
+    bin: undefined,
     /** The operands changed since, and there is no newer result. */
     isOld: false,
     /** @type {import('./protocol.js').Trouble | undefined} */
     trouble: undefined,
 
+    /** What is remeshed, when that is looked at. @returns {import('./protocol.js').Remeshed | undefined} */
+    get remeshedInView() {
+      return this.looksBack ? undefined : this.remeshed;
+    },
+    /** The mesh that is looked at, and taken away. @returns {import('./protocol.js').Remeshed | import('./protocol.js').Result | undefined} */
+    get meshInView() {
+      return this.remeshedInView ?? this.result;
+    },
     /** @returns {Operand | undefined} */
     get chosenOperand() {
       return this.operands[this.chosen];

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 // What the page and its worker say to each other, and what the page keeps.
 
-import type { Format, Mesh, MeshErrorDetails, Report, Shapes, TransformStep } from 'mortise';
+import type { Format, IntersectionGraph, Mesh, MeshErrorDetails, Provenance, Report, Shapes, TransformStep } from 'mortise';
 
 export type Vector = [number, number, number];
 
@@ -43,13 +43,58 @@ export interface PlacedOperand {
   steps: TransformStep[];
 }
 
-export interface Evaluation {
-  /** In doubles, for `write`: it outlives the worker. */
+/** A result in doubles, for `write` and `remesh`: it outlives the worker. */
+export interface Made {
   mesh: Mesh;
+  provenance: Provenance;
+  /** Of its intersection graph. */
+  curves: Pick<IntersectionGraph, 'points' | 'edges'>;
+}
+
+export interface Evaluation extends Made {
   report: Report;
   display: Display;
   /** Two points per edge of the intersection graph, relative to the origin of `display`. */
   graph: Float32Array;
+}
+
+/** What triangles the person wants. */
+export interface RemeshWish {
+  /** Length of edges. */
+  size: number;
+  /** Along the intersection graph sizes are those of its own edges, spread evenly, and grow by `growth` from there. */
+  finer: boolean;
+  growth: number;
+  featureAngle: number;
+  /** Round the intersection graph: only triangles in so many change. 0: all may. */
+  layers: number;
+}
+
+/** Numbers about the triangles of a mesh, for the sizes wanted. */
+export interface TriangleNumbers {
+  triangles: number;
+  minAngleDeg: number;
+  maxAngleDeg: number;
+  /** Of 2 r / R. */
+  meanRadiusRatio: number;
+  /** The part of the edges that is about as long as wanted. */
+  inBand: number;
+  /** Triangles by their smallest angle, in bins of 2 degrees. */
+  angleCounts: number[];
+  /** The bin of every triangle, in the order of the display. */
+  bins: Uint8Array;
+}
+
+export interface Remeshing {
+  /** In doubles, for `write`. */
+  mesh: Mesh;
+  display: Display;
+  before: TriangleNumbers;
+  after: TriangleNumbers;
+  /** Triangles that stay because faces would have come to cross there. */
+  kept: number;
+  /** Pairs of triangles. */
+  newCrossings: number;
 }
 
 /** The calls of the worker: what each takes and answers. */
@@ -60,6 +105,10 @@ export interface Calls {
   forget: [{ keys: number[] }, null];
   /** `inspect` as in the package: whether self-intersections of the result are counted. */
   evaluate: [{ operation: Operation; operands: PlacedOperand[]; inspect: boolean }, Evaluation];
+  /** About how many triangles a whole surface of the sizes wanted has. */
+  predict: [{ made: Made; wish: RemeshWish }, number];
+  /** `origin`: of the display. */
+  remesh: [{ made: Made; operands: PlacedOperand[]; wish: RemeshWish; origin: Vector }, Remeshing];
   write: [{ mesh: Mesh; format: Format }, Uint8Array];
 }
 
@@ -108,7 +157,7 @@ export interface Operand extends LoadedOperand {
 export type Choice = 'union' | 'intersect' | 'first' | 'second';
 
 export interface Shown {
-  wireframe: boolean;
+  edges: boolean;
   graph: boolean;
   ghosts: boolean;
 }
@@ -116,10 +165,17 @@ export interface Shown {
 /** A result and what it is the result of. */
 export interface Result extends Evaluation {
   choice: Choice;
-  /** Keys of the operands in the order of the call. */
-  keys: number[];
+  /** As they were, in the order of the call. */
+  operands: PlacedOperand[];
   /** What was asked for, to be compared with what would be asked for now. */
   asked: string;
+  /** From asking to showing. */
+  milliseconds: number;
+}
+
+/** The result with other triangles. */
+export interface Remeshed extends Remeshing {
+  wish: RemeshWish;
   /** From asking to showing. */
   milliseconds: number;
 }

@@ -201,10 +201,10 @@ test(
 );
 
 test(
-  'wireframe, intersection graph and faint parts are shown when wanted',
+  'mesh edges, intersection graph and faint parts are shown when wanted',
   withPage(async (page) => {
     await choose(page, 'intersect');
-    for (const name of ['wireframe', 'graph', 'ghosts']) {
+    for (const name of ['edges', 'graph', 'ghosts']) {
       const seen = await page.locator('#canvas').screenshot();
       const was = await page.isChecked(`#show-${name}`);
       await page.setChecked(`#show-${name}`, !was);

@@ -10,7 +10,7 @@ import { count, duration, measure, plural } from '../numbers.js';
 /** @typedef {[string, Node | string]} Line */
 
 /** @param {number | null} value @param {string} text */
-function number(value, text) {
+export function number(value, text) {
   const data = make('data', { value: String(value) }, text);
   if (value !== null && String(value) !== text) data.title = String(value);
   return data;

@@ -13,9 +13,14 @@ import { count, duration, measure } from '../numbers.js';
 const announceAfter = 500;
 
 /** @param {Model} model */
-function sentence({ result, operands }) {
+function sentence({ result, remeshedInView, operands }) {
   if (result === undefined) return 'Starting …';
   const { choice, report } = result;
+  if (remeshedInView !== undefined) {
+    const { after, milliseconds } = remeshedInView;
+    const angles = `angles ${measure(after.minAngleDeg, 3)}° to ${measure(after.maxAngleDeg, 3)}°`;
+    return `${titleOf(choice, operands.length)}, remeshed: ${count(after.triangles)} triangles, ${angles}, ${duration(milliseconds)}`;
+  }
   const volume = report.volume === null ? 'no volume' : `volume ${measure(report.volume, 5)}`;
   return `${titleOf(choice, operands.length)}: ${count(report.triangles)} triangles, ${volume}, ${duration(report.milliseconds)}`;
 }
@@ -50,6 +55,6 @@ export function startStatus(model) {
     again.hidden = state !== 'cancelled' || !model.isOld;
     announce();
   }
-  model.on(['busy', 'result', 'trouble', 'operands', 'dragging'], update);
+  model.on(['busy', 'result', 'remeshed', 'trouble', 'operands', 'dragging'], update);
   again.addEventListener('click', () => model.tell('again'));
 }

@@ -6,6 +6,7 @@
 import { commandsOf } from '../commands.js';
 import { byId } from '../dom.js';
 import { saveAs } from '../download.js';
+import { isForCommand } from '../remesh_wish.js';
 import { troubleOf } from '../trouble.js';
 
 /** @typedef {import('../model.js').Model} Model */
@@ -19,11 +20,12 @@ function startDownload(model, engine) {
   const button = byId('download', HTMLButtonElement);
   const select = byId('format', HTMLSelectElement);
   button.addEventListener('click', async () => {
-    if (model.result === undefined) return;
+    const { result, remeshedInView, meshInView } = model;
+    if (result === undefined || meshInView === undefined) return;
     const format = /** @type {Format} */ (select.value);
-    const name = `${fileNames[model.result.choice]}.${format.replace('-ascii', '')}`;
+    const name = `${fileNames[result.choice]}${remeshedInView === undefined ? '' : '-remeshed'}.${format.replace('-ascii', '')}`;
     try {
-      saveAs(await engine.call('write', { mesh: model.result.mesh, format }), name);
+      saveAs(await engine.call('write', { mesh: meshInView.mesh, format }), name);
     } catch (error) {
       model.fail(troubleOf(error, name));
     }
@@ -31,8 +33,9 @@ function startDownload(model, engine) {
   select.addEventListener('change', () => {
     byId('format-note').hidden = select.value !== 'stl';
   });
-  model.on('result', () => {
-    button.disabled = false;
+  model.on(['result', 'remeshed'], () => {
+    button.disabled = model.result === undefined;
+    button.textContent = model.remeshedInView === undefined ? 'Download' : 'Download remeshed';
   });
 }
 
@@ -40,8 +43,10 @@ function startDownload(model, engine) {
 function startCommands(model) {
   const text = byId('commands');
   const copy = byId('copy', HTMLButtonElement);
-  model.on(['operands', 'placement', 'choice'], () => {
-    text.textContent = commandsOf(model).join('\n');
+  model.on(['operands', 'placement', 'choice', 'remeshed'], () => {
+    const { wish } = model.remeshedInView ?? {};
+    text.textContent = commandsOf(model, wish).join('\n');
+    byId('command-note').hidden = wish === undefined || isForCommand(wish);
     copy.textContent = 'Copy as command';
   });
   copy.addEventListener('click', async () => {

@@ -38,9 +38,11 @@ export function startToolbar(model) {
     for (const choice of /** @type {const} */ (['first', 'second'])) byId(`title-${choice}`).textContent = titleOf(choice, model.operands.length);
     for (const [choice, button] of choiceButtons) button.disabled = choice === 'second' && model.operands.length < 2;
   });
-  for (const name of /** @type {const} */ (['wireframe', 'graph', 'ghosts'])) {
+  for (const name of /** @type {const} */ (['edges', 'graph', 'ghosts'])) {
     const box = byId(`show-${name}`, HTMLInputElement);
-    box.checked = model.shown[name];
+    const show = () => (box.checked = model.shown[name]);
+    show();
+    model.on('shown', show);
     box.addEventListener('change', () => {
       model.shown[name] = box.checked;
       model.tell('shown');

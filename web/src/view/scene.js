@@ -83,7 +83,8 @@ function createUpdates(model, { stage, result, ghosts, markers, gizmo }) {
  */
 function follow(model, { stage, result, ghosts, markers, gizmo }, { contentBox, mark, place, paint, settle }) {
   model.on('operands', ghosts.update);
-  model.on('result', result.setGeometry);
+  model.on(['result', 'remeshed'], result.setGeometry);
+  model.on('bin', result.mark);
   model.on(['operands', 'chosen', 'mode'], gizmo.update);
   model.on(['operands', 'chosen', 'mode', 'placement', 'result', 'dragging'], place);
   model.on(['operands', 'result', 'trouble', 'shown', 'dragging'], paint);

@@ -6,6 +6,7 @@
 import { compiledCore, runningCore } from './core.js';
 import { displayOf, relativeSegments, sizeOf } from './display.js';
 import { forgetOperand, loadOperand, placeOperands } from './operand_store.js';
+import { predictMade, remeshMade } from './remeshing.js';
 import { normalsFromSources } from './shading.js';
 
 /** @typedef {import('../protocol.js').Calls} Calls */
@@ -50,8 +51,27 @@ async function evaluate({ operation, operands, inspect }, tell) {
   const normals = normalsFromSources(provenance, placed.map((operand) => operand.normals));
   const display = displayOf(mesh, normals, provenance.sourceOperand);
   const segments = relativeSegments(graph, display.origin);
-  const arrays = [mesh.positions, mesh.triangles, mesh.faceLabels, display.positions, display.normals, segments];
-  return parcel({ mesh, report, display, graph: segments }, arrays);
+  const curves = { points: graph.points, edges: graph.edges };
+  const origins = Object.values(provenance).filter((array) => ArrayBuffer.isView(array));
+  const arrays = [mesh.positions, mesh.triangles, mesh.faceLabels, curves.points, curves.edges, display.positions, display.normals, segments, ...origins];
+  return parcel({ mesh, provenance, curves, report, display, graph: segments }, arrays);
+}
+
+/** @param {Calls['predict'][0]} args */
+async function predict({ made, wish }) {
+  return parcel(predictMade(await runningCore(), made, wish));
+}
+
+/**
+ * @param {Calls['remesh'][0]} args
+ * @param {(progress: import('../protocol.js').Progress) => void} tell
+ */
+async function remesh({ made, operands, wish, origin }, tell) {
+  const mortise = await runningCore();
+  const placed = await placeOperands(mortise, operands);
+  const value = remeshMade(mortise, { made, placed, wish, origin }, tell);
+  const { mesh, display, before, after } = value;
+  return parcel(value, [mesh.positions, mesh.triangles, mesh.faceLabels, display.positions, display.normals, before.bins, after.bins]);
 }
 
 /** Binary STL holds float32: the mesh is rounded as a whole, so that it stays welded. @param {Calls['write'][0]} args */
@@ -61,4 +81,4 @@ async function write({ mesh, format }) {
   return parcel(bytes, [bytes]);
 }
 
-export const calls = { start, load, forget, evaluate, write };
+export const calls = { start, load, forget, evaluate, predict, remesh, write };

@@ -48,7 +48,7 @@ function rounded(x, digits) {
  * @param {number} count
  * @param {Uint32Array | undefined} sourceOperand
  */
-function sortByOperand(count, sourceOperand) {
+export function sortByOperand(count, sourceOperand) {
   /** @type {number[][]} */
   const lists = [];
   for (let f = 0; f < count; ++f) (lists[sourceOperand?.[f] ?? 0] ??= []).push(f);
@@ -65,11 +65,11 @@ function sortByOperand(count, sourceOperand) {
  * @param {Mesh} mesh
  * @param {Float32Array} normals of its faces
  * @param {Uint32Array} [sourceOperand] of its faces
+ * @param {Vector} [origin]
  * @returns {import('../protocol.js').Display}
  */
-export function displayOf(mesh, normals, sourceOperand) {
+export function displayOf(mesh, normals, sourceOperand, origin = originOf(mesh.positions)) {
   const { faces, groups } = sortByOperand(mesh.triangles.length / 3, sourceOperand);
-  const origin = originOf(mesh.positions);
   const smooth = cornerNormals(mesh, normals, sourceOperand);
   const display = { origin, positions: new Float32Array(9 * faces.length), normals: new Float32Array(9 * faces.length), groups };
   faces.forEach((face, i) => {

@@ -72,7 +72,7 @@ function cornersByVertex({ positions, triangles }) {
 }
 
 /** The angle of a triangle at each of its corners. @param {Mesh} mesh */
-function cornerAngles({ positions, triangles }) {
+export function cornerAngles({ positions, triangles }) {
   const angles = new Float32Array(triangles.length);
   for (let corner = 0; corner < triangles.length; ++corner) {
     const first = corner - (corner % 3);
