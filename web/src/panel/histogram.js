@@ -83,7 +83,7 @@ export function startHistogram(model) {
   const figure = byId('histogram');
   const caption = make('figcaption', { class: 'muted' });
   const axis = make('div', { class: 'axis-labels', 'aria-hidden': 'true' }, ...['0°', '20°', '40°', '60°'].map((text) => make('span', {}, text)));
-  const legend = make('p', { class: 'legend', 'aria-hidden': 'true' }, 'Smallest angles', make('span', { class: 'key-before' }, 'before'), make('span', { class: 'key-after' }, 'after'));
+  const legend = make('p', { class: 'legend', 'aria-hidden': 'true' }, 'Smallest angle', make('span', { class: 'key-before' }, 'before'), make('span', { class: 'key-after' }, 'after'));
   const chooser = createChooser(model, showBin);
   const plot = make('div', { class: 'plot' });
 

@@ -4,7 +4,7 @@
 // @ts-check
 
 import { buttonsWith, byId, make } from '../dom.js';
-import { count, duration, measure, plural } from '../numbers.js';
+import { count, measure, plural } from '../numbers.js';
 import { startHistogram } from './histogram.js';
 import { number } from './report.js';
 
@@ -27,15 +27,15 @@ const rows = [
 function showComparison({ remeshed }) {
   byId('remeshed').hidden = byId('unremesh').hidden = remeshed === undefined;
   if (remeshed === undefined) return;
-  const { before, after, kept, newCrossings, milliseconds } = remeshed;
+  const { before, after, kept, newCrossings } = remeshed;
   const lines = rows.map(([name, valueOf, textOf, title]) => {
     const cells = [before, after].map((numbers) => make('td', {}, number(valueOf(numbers), textOf(valueOf(numbers)))));
     return make('tr', {}, make('th', title === '' ? { scope: 'row' } : { scope: 'row', title }, name), ...cells);
   });
   byId('comparison').replaceChildren(...lines);
-  const crossings = newCrossings === 0 ? 'No new crossings' : `${plural(newCrossings, 'new crossing')}`;
-  const stay = kept === 0 ? 'none kept to avoid one' : `${plural(kept, 'triangle')} kept to avoid more`;
-  byId('remesh-notes').textContent = `${crossings}, ${stay}; ${duration(milliseconds)} in all.`;
+  const crossings = newCrossings === 0 ? 'No new crossings' : plural(newCrossings, 'new crossing');
+  const stay = kept === 0 ? 'no triangle had to stay' : `${plural(kept, 'triangle')} had to stay`;
+  byId('remesh-notes').textContent = `${crossings}, ${stay}.`;
 }
 
 /** @param {Model} model */
