@@ -5,10 +5,12 @@
 import assert from 'node:assert/strict';
 import test from 'node:test';
 
+import { binOf, shareBelow } from '../src/angle_bins.js';
 import { inOrder } from '../src/choices.js';
 import { commandsOf } from '../src/commands.js';
 import { newestOnly } from '../src/newest_only.js';
 import { digitsFor, roundTo, stepsOf, unmoved } from '../src/placement.js';
+import { firstSize, firstWish, lastPosition, positionOf, sizeAt } from '../src/remesh_wish.js';
 
 test('a part that is only moved gets one step', () => {
   assert.deepEqual(stepsOf(unmoved(), [5, 5, 5]), []);
@@ -46,6 +48,27 @@ test('command lines write over no file they read', () => {
 test('B − A takes the second operand first', () => {
   assert.deepEqual(inOrder('second', ['a', 'b', 'c']), ['b', 'a', 'c']);
   assert.deepEqual(inOrder('first', ['a', 'b', 'c']), ['a', 'b', 'c']);
+});
+
+test('command lines say how the result was remeshed, where the command has words for it', () => {
+  const last = (wish) => commandsOf({ operands: [operand('a.stl'), operand('b.stl')], choice: 'union' }, { ...firstWish(), size: 0.5, ...wish }).at(-1);
+  assert.equal(last({}), 'npx mortise union a.stl b.stl -o result.ply --remesh=0.5');
+  assert.equal(last({ layers: 3 }), 'npx mortise union a.stl b.stl -o result.ply --remesh=0.5 --layers=3');
+  for (const wish of [{ finer: true }, { featureAngle: 30 }]) assert.equal(last(wish), 'npx mortise union a.stl b.stl -o result.ply');
+});
+
+test('the slider of sizes is logarithmic; sizes beyond it are at its ends', () => {
+  assert.deepEqual([sizeAt(0, 40), sizeAt(lastPosition / 2, 40), sizeAt(lastPosition, 40)], [0.1, 1, 10]);
+  for (let position = 0; position <= lastPosition; ++position) assert.equal(positionOf(sizeAt(position, 7), 7), position);
+  assert.deepEqual([positionOf(1e-9, 1), positionOf(0, 1), positionOf(NaN, 1), positionOf(50, 1)], [0, 0, 0, lastPosition]);
+  assert.equal(firstSize(4.1234), 0.082);
+});
+
+test('angles fall into bins of two degrees, 60 into the last one', () => {
+  assert.deepEqual([0, 1.99, 2, 59.9, 60].map(binOf), [0, 0, 1, 29, 29]);
+  const counts = Array.from({ length: 30 }, (_, bin) => (bin < 3 ? 1 : 0));
+  assert.equal(shareBelow(counts, 4), 2 / 3);
+  assert.equal(shareBelow(counts.fill(0), 30), 0);
 });
 
 test('while a job runs, of the new ones only the last is kept', async () => {

@@ -33,7 +33,7 @@ function heightsOf({ before, after }) {
 }
 
 /** The upper edge of bars as one line. @param {number[]} heights */
-const stepsOf = (heights) => heights.map((h, bin) => `${bin === 0 ? 'M0' : ''}V${height - h}H${(bin + 1) * barWidth}`).join('').replace('M0', `M0 ${height}`).concat(`V${height}`);
+const stepsOf = (heights) => `M0 ${height}${heights.map((h, bin) => `V${height - h}H${(bin + 1) * barWidth}`).join('')}V${height}`;
 
 /** @param {Remeshed} remeshed */
 function picture(remeshed) {
@@ -41,7 +41,9 @@ function picture(remeshed) {
   const bars = after.map((h, bin) => draw('rect', { class: 'bar', x: bin * barWidth + 0.5, width: barWidth - 1, y: height - h, height: h }));
   const ground = draw('path', { class: 'ground', d: `M0 ${height}H${width}` });
   const line = draw('path', { class: 'line-before', d: stepsOf(before) });
-  return draw('svg', { viewBox: `0 -2 ${width} ${height + 3}`, preserveAspectRatio: 'none', 'aria-hidden': 'true' }, draw('rect', { class: 'chosen-bin', width: barWidth, y: 0, height, x: -barWidth }), ...bars, ground, line);
+  const chosen = draw('rect', { class: 'chosen-bin', width: barWidth, y: 0, height, x: -barWidth });
+  const frame = { viewBox: `0 -2 ${width} ${height + 3}`, preserveAspectRatio: 'none', 'aria-hidden': 'true' };
+  return draw('svg', frame, chosen, ...bars, ground, line);
 }
 
 /** @param {Remeshed} remeshed */

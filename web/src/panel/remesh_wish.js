@@ -10,7 +10,10 @@ import { diagonalOf, mostTriangles, positionOf, sizeAt } from '../remesh_wish.js
 /** @typedef {import('../model.js').Model} Model */
 /** @typedef {import('../protocol.js').RemeshWish} RemeshWish */
 
-/** The sliders that have no field of their own, and what their values are called. @type {Record<'growth' | 'featureAngle' | 'layers', { id: string, text: (value: number) => string }>} */
+/**
+ * The sliders that have no field of their own, and what their values are called.
+ * @type {Record<'growth' | 'featureAngle' | 'layers', { id: string, text: (value: number) => string }>}
+ */
 const sliders = {
   growth: { id: 'growth', text: (value) => `× ${value}` },
   featureAngle: { id: 'feature-angle', text: (value) => `${value}°` },

@@ -17,7 +17,7 @@ const advice = {
   UNKNOWN_FORMAT: 'Files may be STL, OBJ, PLY, OFF, MSH, VTK, VTU or MESH.',
   OUT_OF_MEMORY: 'The meshes are too large for this browser.',
   INVALID_ARGUMENT: 'Type a size larger than 0, in the unit of the parts.',
-  RESULT_TOO_LARGE: 'Ask for fewer triangles: a larger size, or, where small triangles are needed only near the cut, growth from there.',
+  RESULT_TOO_LARGE: 'Ask for fewer triangles: when remeshing, a larger size; otherwise, parts that have fewer.',
   OUT_OF_RANGE: 'Coordinates this large do not fit. Use a smaller scale.',
 };
 
