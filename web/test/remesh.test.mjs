@@ -231,6 +231,7 @@ test(
     await page.fill('#size', '0.0001');
     await page.getByText('too many for this page').waitFor();
     assert.equal(await remesh(page), 'trouble');
+    assert.ok((await page.locator('#trouble').boundingBox()).y >= 0, 'it is in sight');
     assert.match(await page.innerText('#trouble'), /Remeshing.*ask for about 5,[\d,]+ triangles.*RESULT_TOO_LARGE.*fewer triangles.*a larger size/s);
     for (const wrong of ['0', '-1', '']) {
       await page.fill('#size', wrong);

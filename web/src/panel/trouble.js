@@ -42,6 +42,7 @@ export function startTrouble(model) {
   const show = byId('show-places', HTMLButtonElement);
   function update() {
     const { trouble } = model;
+    const isNew = box.hidden;
     box.hidden = trouble === undefined;
     if (trouble === undefined) return;
     byId('trouble-title').textContent = trouble.about === '' ? 'This did not work' : trouble.about;
@@ -50,6 +51,7 @@ export function startTrouble(model) {
     const old = model.isOld ? 'The last good result is kept, shown faintly.' : '';
     byId('trouble-advice').textContent = [advice[trouble.code], placesText(trouble), old].filter(Boolean).join(' ');
     show.hidden = (trouble.details.places?.length ?? 0) === 0;
+    if (isNew) box.scrollIntoView({ block: 'nearest' }); // the button that was refused may be far below
   }
   model.on(['trouble', 'result'], update);
   show.addEventListener('click', () => model.tell('frameTrouble'));
