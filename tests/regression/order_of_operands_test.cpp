@@ -92,6 +92,16 @@ TEST_CASE("neither merged triangles, nor turned shells, nor edges of one length 
   }
 }
 
+TEST_CASE("neither axes of planes nor orders round edges of facets that repairs split make repairs depend on the order of the operands") {
+  const auto& [seed, number] = GENERATE(table<std::uint64_t, std::uint64_t>({{2064, 56}, {2064, 238}, {2074, 89}}));
+  INFO("seed " << seed << ", case " << number);
+  const std::vector<SurfaceMesh> operands = make_random_case(seed, number).operands;
+  const std::vector<SurfaceMesh> backwards(operands.rbegin(), operands.rend());
+  const BooleanResult result = evaluate(Operation::Partition, operands), other = evaluate(Operation::Partition, backwards);
+  CHECK(sorted_places(result.mesh) == sorted_places(other.mesh));
+  CHECK(result.graph.edges.size() == other.graph.edges.size());
+}
+
 TEST_CASE("a contact of an operand with itself at an edge of another is seen, whatever the order of the operands") {
   // A wedge glued under a box, with which it shares two vertices but no edge, and a wedge that ends at their common edge.
   const std::vector<std::array<std::size_t, 3>> faces{{0, 2, 1}, {3, 4, 5}, {0, 1, 4}, {0, 4, 3},

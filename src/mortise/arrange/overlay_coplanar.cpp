@@ -47,12 +47,15 @@ Overlays overlay_coplanar(const OperandFaces& faces, const Contacts& contacts) {
   Overlays overlays;
   overlays.slot_of_face.resize(faces.corners.size());
   for (const auto& [representative, f] : group_by_overlap(contacts, number_touched(faces, contacts))) {
+    const TriangleCorners t = corners_of(faces, f);
+    const Axis axis = *projection_axis(t.position[0], t.position[1], t.position[2]);
     if (representative == f) {
-      const TriangleCorners t = corners_of(faces, f);
       overlays.first_slot.push_back(static_cast<std::uint32_t>(overlays.face.size()));
       overlays.plane.push_back(faces.corners[f]);
-      overlays.axis.push_back(*projection_axis(t.position[0], t.position[1], t.position[2]));
+      overlays.axis.push_back(axis);
     }
+    Axis& of_plane = overlays.axis[OverlayId(overlays.plane.size() - 1)];
+    of_plane = std::min(of_plane, axis);
     overlays.slot_of_face[f] = overlays.face.push_back(f);
     overlays.overlay_of_slot.push_back(OverlayId(overlays.plane.size() - 1));
   }

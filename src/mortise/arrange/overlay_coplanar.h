@@ -23,7 +23,8 @@ struct Overlays {
   IdVector<SlotId, OverlayId> overlay_of_slot;
   IdVector<SourceId, SlotId> slot_of_face;  ///< invalid for a face without contact
   IdVector<OverlayId, PlanePoints> plane;   ///< corners of the lowest face
-  IdVector<OverlayId, Axis> axis;           ///< one projection for all predicates of the overlay
+  IdVector<OverlayId, Axis>
+      axis;  ///< one projection for all predicates of the overlay: the lowest of those of its faces, whatever their order
 
   [[nodiscard]] std::size_t size() const { return plane.size(); }
   [[nodiscard]] OverlayId of_face(SourceId f) const { return overlay_of_slot[slot_of_face[f]]; }

@@ -167,8 +167,7 @@ class Certifier {
     for (const ResultEdge& e : group) around.push_back(e.half_edge);
     if (any_meet(around)) return;  // there may be no order
     sort_round_edge(mesh_, {u, v}, around);
-    const bool is_exact_edge = std::all_of(around.begin(), around.end(), [&](HalfEdge h) { return has_exact_edge(face_of(h), u, v); });
-    if (is_exact_edge ? is_exact_order(u, v, around) : spaces_follow(u, around)) return;
+    if (have_exact_order(u, v, around) ? is_exact_order(u, v, around) : spaces_follow(u, around)) return;
     // Which of them are to blame is not known; naming some by their numbers would make repair depend on these.
     for_each_pair(around, [&](FaceId s, FaceId t) { fail(s, t); });
   }
@@ -192,6 +191,17 @@ class Certifier {
   [[nodiscard]] bool has_exact_edge(FaceId t, VertexId u, VertexId v) const {
     const PlanePoints& c = exact_corners(t);
     return std::find(c.begin(), c.end(), point_of(u)) != c.end() && std::find(c.begin(), c.end(), point_of(v)) != c.end();
+  }
+
+  // Not where a repair made two of one facet.
+  [[nodiscard]] bool have_exact_order(VertexId u, VertexId v, std::span<const HalfEdge> around) const {
+    std::vector<FacetId> of;
+    for (const HalfEdge h : around) {
+      if (!has_exact_edge(face_of(h), u, v)) return false;
+      of.push_back(merged_.facet_of_triangle[face_of(h).index()].facet);
+    }
+    std::sort(of.begin(), of.end());
+    return std::adjacent_find(of.begin(), of.end()) == of.end();
   }
 
   [[nodiscard]] bool is_exact_order(VertexId u, VertexId v, std::span<const HalfEdge> around) const {
