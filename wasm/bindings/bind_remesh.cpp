@@ -11,8 +11,10 @@
 #include "border.h"
 #include "models.h"
 #include "mortise/brep/result_features.h"
+#include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/remesh/remesh.h"
+#include "mortise/size/small_features.h"
 #include "sizings.h"
 
 namespace mortise::wasm {
@@ -64,18 +66,30 @@ std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) 
   return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["sources"]["provenance"])), layers.as<std::uint32_t>());
 }
 
+/// The sizes given, and those that small features ask for. Sizes that are refused anyway are left alone.
+/// @param features  undefined, or {growth, least?}
+SizingProxy sizes_with_features(const SizingProxy& given, const SurfaceMesh& mesh, const ClassifiedBrep& model, double most_triangles,
+                                const val& features) {
+  if (features.isUndefined() || !(predict_triangle_count(mesh, given) <= most_triangles)) return given;
+  const Box3 box = bounding_box(mesh);
+  const val least = features["least"];
+  const SmallFeatureRules rules{least.isUndefined() ? 1e-6 * length(box.hi - box.lo) : least.as<double>(), features["growth"].as<double>()};
+  return given.with(find_small_features(mesh, model, given, rules).sources);
+}
+
 /// {mesh, sources, modelFaces, modelEdges, kept, newCrossings, predicted, before, after}.
-/// @param settings  those of rules_in, with sources?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?, mostTriangles and
-/// listener: (stage, fraction) -> go on?
+/// @param settings  those of rules_in, with sources?, features?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?,
+/// mostTriangles and listener: (stage, fraction) -> go on?
 val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
-    const auto sizes = sizing_of(sizing);
+    const auto given_sizes = sizing_of(sizing);
     const SurfaceMesh mesh = welded_mesh_in(mesh_object);
     const FaceNormals normals = normals_of(mesh, settings["sources"]);
     const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals);
     RemeshRules rules = remesh_rules_in(settings);
     rules.zone = zone_in(mesh, settings);
-    const RemeshResult result = remesh(mesh, model, normals, *sizes, rules);
+    const SizingProxy sizes = sizes_with_features(*given_sizes, mesh, model, rules.most_triangles, settings["features"]);
+    const RemeshResult result = remesh(mesh, model, normals, sizes, rules);
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     object.set("sources", ids_out(result.sources));
@@ -83,7 +97,7 @@ val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizin
     object.set("modelEdges", model_edges_out(result.classification));
     object.set("kept", ids_out(result.kept));
     object.set("newCrossings", static_cast<double>(result.new_crossings.size()));
-    object.set("predicted", predict_triangle_count(mesh, *sizes));
+    object.set("predicted", predict_triangle_count(mesh, sizes));
     object.set("before", shape_out(mesh));
     object.set("after", shape_out(result.mesh));
     return object;

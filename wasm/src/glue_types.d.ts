@@ -106,6 +106,7 @@ export interface ModelSettings {
 export interface RemeshSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
+  features?: { growth: number; least?: number };
   isPaper: boolean;
   isFrontal: boolean;
   rounds: Float64Array | undefined;

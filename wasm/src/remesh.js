@@ -15,13 +15,33 @@ import { Sizing, makeSizing } from './sizing.js';
 
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
-const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
+const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'features', 'minFeature', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
 const mostRounds = 1000;
 const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
 
 const presets = ['default', 'paper'];
 const meshers = ['local', 'frontal'];
+const featureModes = ['keep', 'refine'];
+
+/**
+ * One of some words.
+ * @param {any} value
+ * @param {string} name
+ * @param {string[]} words
+ */
+function checkWord(value, name, words) {
+  if (!words.includes(value)) throw invalidArgument(`${name} must be ${words.map((word) => `'${word}'`).join(' or ')}, not ${describe(value)}`);
+}
+
+/** What is to become of features that are too small. @param {any} options */
+function checkFeatures({ features = 'keep', minFeature, growth = 1.2 }) {
+  checkWord(features, 'features', featureModes);
+  if (minFeature === undefined) return features === 'keep' ? undefined : { growth };
+  if (features === 'keep') throw invalidArgument("minFeature goes with features: 'refine'");
+  if (!(Number.isFinite(minFeature) && minFeature >= 0)) throw invalidArgument(`minFeature must be a length, not ${describe(minFeature)}`);
+  return { growth, least: minFeature };
+}
 
 /** @param {unknown} value @param {string} name */
 function checkTimes(value, name) {
@@ -130,13 +150,13 @@ export function remeshFunctions(session, ask) {
     remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, remeshOptions);
       const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
-      if (!presets.includes(preset)) throw invalidArgument(`preset must be ${presets.map((name) => `'${name}'`).join(' or ')}, not ${describe(preset)}`);
-      if (!meshers.includes(mesher)) throw invalidArgument(`mesher must be ${meshers.map((name) => `'${name}'`).join(' or ')}, not ${describe(mesher)}`);
+      checkWord(preset, 'preset', presets);
+      checkWord(mesher, 'mesher', meshers);
       const { mesh, sources } = checkGiven(given, operands);
       const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
       const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
       const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, sources !== undefined, checked.zone) };
-      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, ...limits, ...zones };
+      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, features: checkFeatures(checked), ...limits, ...zones };
       const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));
       return withSizing({ session, ask }, { mesh, options: checked }, remeshWith);
     },

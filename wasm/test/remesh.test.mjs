@@ -133,6 +133,16 @@ test('the frontal mesher makes new triangles in planes, of the same sizes and on
   assert.deepEqual(await remesh(cube(), { ...options, mesher: 'frontal' }), frontal);
 });
 
+test('features smaller than the size get triangles that fit them, on request', async () => {
+  const plate = await make('box', { lo: [0, 0, 0], hi: [10, 10, 0.3] });
+  const [kept, refined] = [await remesh(plate, { size: 1 }), await remesh(plate, { size: 1, features: 'refine' })];
+  assert.deepEqual(await remesh(plate, { size: 1, features: 'keep' }), kept);
+  assert.ok(kept.after.minAngleDeg < 30 && refined.after.minAngleDeg > 30, `${kept.after.minAngleDeg}, ${refined.after.minAngleDeg}`);
+  assert.ok(refined.predicted > 3 * kept.predicted && refined.after.triangles > refined.predicted, `${refined.after.triangles} of ${refined.predicted}`);
+  assert.deepEqual(await remesh(plate, { size: 1, features: 'refine', minFeature: 0.4 }), kept);
+  assert.deepEqual(await remesh(plate, { size: 5, features: 'refine', minFeature: 20 }), await remesh(plate, { size: 5 }));
+});
+
 test('where faces would come to cross, triangles stay', async () => {
   const thin = { positions: [0, 2, 2, 3, 4, 2, 3, 4, 4, 0, 3, 4], triangles: [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0] };
   const size = 1.253;
@@ -198,6 +208,9 @@ test('what means nothing is refused by name', async () => {
     [cube(), { size: 1, audits: 1.5 }, /audits must be a whole number/],
     [cube(), { size: 1, preset: 'botsch' }, /preset must be 'default' or 'paper', not /],
     [cube(), { size: 1, mesher: 'front' }, /mesher must be 'local' or 'frontal', not /],
+    [cube(), { size: 1, features: 'merge' }, /features must be 'keep' or 'refine', not /],
+    [cube(), { size: 1, minFeature: 0.1 }, /minFeature goes with features: 'refine'/],
+    [cube(), { size: 1, features: 'refine', minFeature: -1 }, /minFeature must be a length, not number -1/],
     [cube(), { size: 1, mostTriangles: 0 }, /mostTriangles must be a number, 1 to/],
     [cube(), { size: 1, onProgress: 5 }, /onProgress must be a function/],
     [cube(), { sizing: made, size: 1 }, /a sizing says all about sizes: leave out size/],
@@ -251,6 +264,7 @@ test('the command refuses with words and exit codes', async (t) => {
     [2, /--size needs a number, not 'x'/, '--size', 'x'],
     [2, /size must be a positive number/, '--size', '-1'],
     [2, /featureAngle must be an angle/, '--size', '1', '--feature-angle', '200'],
+    [2, /features must be 'keep' or 'refine'/, '--size', '1', '--features', 'drop'],
     [2, /mesher must be 'local' or 'frontal'/, '--size', '1', '--mesher', 'gmsh'],
     [3, /no\.json: this is no JSON: .*\[PARSE_FAILED\]/, '--size', '1', '--sources', 'no.json'],
     [2, /object\.json: sources must be a JSON array/, '--size', '1', '--sources', 'object.json'],

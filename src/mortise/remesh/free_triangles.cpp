@@ -4,13 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
-#include <limits>
 #include <span>
-#include <utility>
 
 #include "mortise/base/sort_unique.h"
 #include "mortise/base/union_find.h"
+#include "mortise/brep/face_features.h"
 #include "mortise/brep/model_queries.h"
 #include "mortise/geom/box_tree.h"
 #include "mortise/geom/length.h"
@@ -24,7 +22,6 @@ constexpr double shortest_edge = 0.7;   // of the size
 constexpr double pieces_of_closed = 3;  // no closed model edge has fewer mesh edges
 constexpr double sharpest_deg = 60 - 1e-9;
 constexpr double way_over_gap = 2 + 1e-6;  // where two lines meet at 60 degrees, the way along them is twice the gap
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// A place on a feature, or a straight piece of one.
 struct Obstacle {
@@ -132,132 +129,33 @@ void add_sharp_corners(Search& s, Obstacles& count) {
   }
 }
 
-/// The features round one model face: straight pieces, each once.
-struct FaceFeatures {
-  std::vector<std::array<VertexId, 2>> pieces;
-  BoxTree tree;
-  std::vector<VertexId> vertices;                     // ascending
-  std::vector<std::vector<std::uint32_t>> pieces_at;  // per one of them
-
-  [[nodiscard]] std::size_t number_of(VertexId v) const {
-    return static_cast<std::size_t>(std::lower_bound(vertices.begin(), vertices.end(), v) - vertices.begin());
-  }
-};
-
-FaceFeatures features_of(const Search& s, const std::vector<ModelEdgeId>& edges) {
-  FaceFeatures f;
-  std::vector<Box3> boxes;
-  for (const ModelEdgeId e : edges) {
-    const std::span<const VertexId> path = s.model.classification.path.of(e);
-    f.vertices.insert(f.vertices.end(), path.begin(), path.end());
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      f.pieces.push_back({path[k], path[k + 1]});
-      boxes.push_back(box_round(s.at(path[k]), s.at(path[k + 1])));
-    }
-  }
-  f.tree = BoxTree(boxes);
-  sort_unique(f.vertices);
-  f.pieces_at.resize(f.vertices.size());
-  for (std::uint32_t i = 0; i < f.pieces.size(); ++i) {
-    for (const VertexId v : f.pieces[i]) f.pieces_at[f.number_of(v)].push_back(i);
-  }
-  return f;
-}
-
-constexpr std::uint32_t no_piece = std::numeric_limits<std::uint32_t>::max();
-
-/// Where features are looked at.
-struct Look {
-  Vec3d at;
-  double size = 0;
-  std::vector<std::pair<VertexId, double>> starts;  // vertices to set out from, with the way to them
-  std::uint32_t piece = no_piece;                   // it is half-way along
-};
-
-/// Ways along the features of a face from a place, as far as they matter.
-class WaysAlong {
- public:
-  WaysAlong(const Search& search, const FaceFeatures& features)
-      : search_(search), features_(features), way_(features.vertices.size(), infinity) {}
-
-  void start(const Look& look, double farthest) {
-    for (const std::size_t v : reached_) way_[v] = infinity;
-    reached_.clear();
-    for (const auto& [v, way] : look.starts) reach(features_.number_of(v), way);
-    while (!next_.empty()) {
-      std::pop_heap(next_.begin(), next_.end(), std::greater<>());
-      const auto [way, v] = next_.back();
-      next_.pop_back();
-      if (way > way_[v] || way > farthest) continue;
-      for (const std::uint32_t i : features_.pieces_at[v]) {
-        const auto& [a, b] = features_.pieces[i];
-        const VertexId other = a == features_.vertices[v] ? b : a;
-        reach(features_.number_of(other), way + length(search_.at(b) - search_.at(a)));
-      }
-    }
-  }
-
-  /// To a point of a piece.
-  [[nodiscard]] double to(std::uint32_t piece, const Vec3d& p) const {
-    const auto& [a, b] = features_.pieces[piece];
-    return std::min(way_[features_.number_of(a)] + length(p - search_.at(a)), way_[features_.number_of(b)] + length(p - search_.at(b)));
-  }
-
- private:
-  void reach(std::size_t v, double way) {
-    if (way >= way_[v]) return;
-    if (way_[v] == infinity) reached_.push_back(v);
-    way_[v] = way;
-    next_.emplace_back(way, v);
-    std::push_heap(next_.begin(), next_.end(), std::greater<>());
-  }
-
-  const Search& search_;
-  const FaceFeatures& features_;
-  std::vector<double> way_;  // per vertex of the features
-  std::vector<std::size_t> reached_;
-  std::vector<std::pair<double, std::size_t>> next_;
-};
-
 // Is another part of the features near? Then both places are obstacles.
-bool add_close_parts(Search& s, const FaceFeatures& f, WaysAlong& ways, const Look& look) {
-  ways.start(look, way_over_gap * look.size);
+bool add_close_parts(Search& s, FaceFeatures& features, const FeaturePlace& place, double size) {
   bool is_any = false;
-  f.tree.for_each_meeting(grown(look.at, look.size), [&](std::uint32_t i) {
-    if (i == look.piece) return;
-    const Vec3d q = closest_on({s.at(f.pieces[i][0]), s.at(f.pieces[i][1])}, look.at);
-    const double gap = length(q - look.at);
-    if (gap >= look.size || ways.to(i, q) <= way_over_gap * gap) return;
-    s.obstacles.push_back({q, q});
+  for (const ClosePart& part : features.parts_close_to(place, size, way_over_gap * size)) {
+    if (part.way <= way_over_gap * part.gap) continue;
+    s.obstacles.push_back({part.at, part.at});
     is_any = true;
-  });
-  if (is_any) s.obstacles.push_back({look.at, look.at});
+  }
+  if (is_any) s.obstacles.push_back({place.at, place.at});
   return is_any;
 }
 
-std::size_t add_close_features(Search& s, const FaceFeatures& f) {
-  WaysAlong ways(s, f);
+std::size_t add_close_features(Search& s, FaceFeatures& f) {
   std::size_t count = 0;
-  for (const VertexId v : f.vertices) count += add_close_parts(s, f, ways, {s.at(v), s.size(v), {{v, 0}}}) ? 1 : 0;
-  for (std::uint32_t i = 0; i < f.pieces.size(); ++i) {
-    const auto& [a, b] = f.pieces[i];
-    const double half = length(s.at(b) - s.at(a)) / 2;
-    const Look look{0.5 * (s.at(a) + s.at(b)), (s.size(a) + s.size(b)) / 2, {{a, half}, {b, half}}, i};
-    count += add_close_parts(s, f, ways, look) ? 1 : 0;
+  for (const VertexId v : f.vertices()) count += add_close_parts(s, f, f.at_vertex(v), s.size(v)) ? 1 : 0;
+  for (std::uint32_t i = 0; i < f.pieces().size(); ++i) {
+    const auto& [a, b] = f.pieces()[i];
+    count += add_close_parts(s, f, f.on_piece(i, 0.5), (s.size(a) + s.size(b)) / 2) ? 1 : 0;
   }
   return count;
 }
 
 void add_close_features(Search& s, Obstacles& count) {
-  std::vector<std::vector<ModelEdgeId>> edges_of_face(s.model.brep.faces.size());
-  for (std::size_t e = 0; e < s.model.brep.edges.size(); ++e) {
-    if (s.model.brep.edges[ModelEdgeId(e)].is_seam) continue;
-    for (const FaceUse& use : s.model.brep.faces_of_edge.of(ModelEdgeId(e))) {
-      std::vector<ModelEdgeId>& edges = edges_of_face[use.face.index()];
-      if (edges.empty() || edges.back() != ModelEdgeId(e)) edges.emplace_back(e);
-    }
+  for (const std::vector<ModelEdgeId>& edges : edges_of_faces(s.model)) {
+    FaceFeatures features(s.mesh, s.model, edges);
+    count.close_features += add_close_features(s, features);
   }
-  for (const std::vector<ModelEdgeId>& edges : edges_of_face) count.close_features += add_close_features(s, features_of(s, edges));
 }
 
 std::vector<std::uint8_t> find_free(const Search& s) {

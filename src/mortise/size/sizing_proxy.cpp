@@ -33,20 +33,39 @@ Box3 box_of(const SizeSource& source) {
 
 SizingProxy::SizingProxy(std::span<const SizeSource> sources, const SizeLimits& limits) : limits_(limits) {
   check_limits(limits);
-  check_sources(sources);
+  *this = with(sources);
+}
+
+SizingProxy SizingProxy::with(std::span<const SizeSource> more) const {
+  check_sources(more);
   std::vector<Box3> boxes;
-  for (const SizeSource& source : sources) boxes.push_back(box_of(source));
+  for (const BoxTree::Node& node : tree_.nodes()) {
+    if (!node.is_leaf()) continue;
+    boxes.resize(std::max<std::size_t>(boxes.size(), node.first + node.count));
+    for (std::uint32_t i = 0; i < node.count; ++i) boxes[node.first + i] = tree_.items_of(node)[i].box;
+  }
+  std::vector<PlacedSource> placed = sources_;
+  for (const SizeSource& source : more) {
+    boxes.push_back(box_of(source));
+    placed.push_back(place_source(source));
+  }
+  SizingProxy proxy(limits_);
+  proxy.build(boxes, placed);
+  return proxy;
+}
+
+void SizingProxy::build(const std::vector<Box3>& boxes, const std::vector<PlacedSource>& placed) {
   tree_ = BoxTree(boxes);
   bounds_.resize(tree_.nodes().size());
-  sources_.resize(sources.size());
-  for (std::size_t n = bounds_.size(); n-- > 0;) bounds_[n] = bound_below(n, sources);
+  sources_.resize(placed.size());
+  for (std::size_t n = bounds_.size(); n-- > 0;) bounds_[n] = bound_below(n, placed);
   for (const PlacedSource& source : sources_) {
     slope_ = std::max(slope_, slope_of(source));
     doubt_ = std::max(doubt_, epsilon * source.rate * (source.shape.length + source.radius));
   }
 }
 
-SizingProxy::Bound SizingProxy::bound_below(std::size_t node, std::span<const SizeSource> sources) {
+SizingProxy::Bound SizingProxy::bound_below(std::size_t node, const std::vector<PlacedSource>& placed) {
   const BoxTree::Node& n = tree_.nodes()[node];
   if (!n.is_leaf()) {
     const Bound &a = bounds_[n.first], &b = bounds_[n.first + 1];
@@ -55,7 +74,7 @@ SizingProxy::Bound SizingProxy::bound_below(std::size_t node, std::span<const Si
   Bound bound{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   for (std::uint32_t i = 0; i < n.count; ++i) {
     PlacedSource& source = sources_[n.first + i];
-    source = place_source(sources[tree_.items_of(n)[i].id]);
+    source = placed[tree_.items_of(n)[i].id];
     bound = {std::min(bound.least, source.least), std::min(bound.rate, source.rate)};
   }
   return bound;

@@ -26,6 +26,10 @@ class SizingProxy {
   /// O(n log n) for n sources.
   SizingProxy(std::span<const SizeSource> sources, const SizeLimits& limits);
 
+  /// This one and more sources.
+  /// @throws what check_sources does
+  [[nodiscard]] SizingProxy with(std::span<const SizeSource> more) const;
+
   /// In smallest .. global.
   [[nodiscard]] double size_at(const Vec3d& p) const;
   [[nodiscard]] std::vector<double> sizes_at(std::span<const Vec3d> points) const;
@@ -43,7 +47,9 @@ class SizingProxy {
     double least = 0, rate = 0;
   };
 
-  [[nodiscard]] Bound bound_below(std::size_t node, std::span<const SizeSource> sources);
+  explicit SizingProxy(const SizeLimits& limits) : limits_(limits) {}
+  void build(const std::vector<Box3>& boxes, const std::vector<PlacedSource>& placed);
+  [[nodiscard]] Bound bound_below(std::size_t node, const std::vector<PlacedSource>& placed);
   [[nodiscard]] double least_below(double size, const Vec3d& p) const;
   [[nodiscard]] double least_possible(std::uint32_t node, const Vec3d& p) const;
 

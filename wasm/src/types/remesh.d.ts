@@ -32,6 +32,13 @@ export type RemeshOptions = RemeshSizes & {
   layers?: number;
   /** Sizes that ask for more triangles are refused, RESULT_TOO_LARGE. Default 20 million. */
   mostTriangles?: number;
+  /**
+   * `refine`: model edges below 0.7 of the size get triangles of their length, and where two parts of the edges of a model face have less than that of it
+   * between them, triangles of that width; sizes grow from there by `growth` (1.2 with a `sizing`). Else small features spoil the triangles at them. Default `keep`.
+   */
+  features?: 'keep' | 'refine';
+  /** With `refine`: features below this length are left as they are. Default 1e-6 of the diagonal of the box round the mesh. */
+  minFeature?: number;
   /** `paper`: edges are collapsed below the size and split above twice the size, in three rounds; they come out 1.4 sizes long. */
   preset?: 'default' | 'paper';
   /**
@@ -73,7 +80,7 @@ export interface RemeshResult {
   kept: Uint32Array;
   /** Pairs of triangles that cross where none did before, left after the last audit. */
   newCrossings: number;
-  /** How many triangles the sizes ask for, to a few per cent. */
+  /** How many triangles the sizes ask for, to a few per cent; those of small features are among them, and where they are up to a quarter more come out. */
   predicted: number;
   before: TriangleShapes;
   after: TriangleShapes;

@@ -10,6 +10,8 @@ import { sizeNumbers, sizeOptionsOf, sizesHelp, sizesOf } from '../size_options.
 
 /** @typedef {import('../../index.js').TriangleShapes} TriangleShapes */
 
+/** Options that are one of some words. */
+const words = ['features', 'preset', 'mesher'];
 const numbers = { ...sizeNumbers, 'most-triangles': 'mostTriangles' };
 
 /** @param {string} when @param {TriangleShapes} shapes */
@@ -39,6 +41,7 @@ export const remeshVerb = {
 The same model (faces, edges and corners by angles and labels) with triangles of the size wanted. Corners stay, edges stay edges.
 
 ${sizesHelp}  --most-triangles N     sizes that ask for more are refused (default 20 million)
+  --features NAME        keep; refine: triangles as small as features below the size take to be good ones
   --preset NAME          default; paper: edges are collapsed below H and split above 2 H
   --mesher NAME          local; frontal: faces in planes get new triangles from their edges inwards
   -o, --output FILE      .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
@@ -47,13 +50,12 @@ ${sizesHelp}  --most-triangles N     sizes that ask for more are refused (defaul
   --json                 print the report as JSON, with before, after and the count predicted
   -q, --quiet            print no report
 `,
-  options: { ...writingOptions, ...sizeOptionsOf(numbers), preset: { type: /** @type {'string'} */ ('string') }, mesher: { type: /** @type {'string'} */ ('string') } },
+  options: { ...writingOptions, ...sizeOptionsOf(numbers), ...Object.fromEntries(words.map((word) => [word, { type: /** @type {'string'} */ ('string') }])) },
   run(mortise, args, streams) {
     targetOf(args);
     if (args.positionals.length !== 1) throw invalidArgument('remesh needs one mesh file');
-    const preset = args.values.preset === undefined ? {} : { preset: args.values.preset };
-    const mesher = args.values.mesher === undefined ? {} : { mesher: args.values.mesher };
-    const options = { ...sizesOf(args, numbers, 'remesh'), ...preset, ...mesher };
+    const said = words.filter((word) => args.values[word] !== undefined).map((word) => [word, args.values[word]]);
+    const options = { ...sizesOf(args, numbers, 'remesh'), ...Object.fromEntries(said) };
     const given = readOperand(mortise, args.positionals[0], args, streams);
     const result = mortise.remesh(given, options);
     const { mesh, predicted, before, after, kept, newCrossings } = result;
