@@ -33,14 +33,16 @@ struct ModelScene {
   ClassifiedBrep model;
 };
 
-ModelScene scene_of(SurfaceMesh mesh, FaceNormals normals) {
+ModelScene scene_of(SurfaceMesh mesh, FaceNormals normals, Seams seams = Seams::None) {
   BrepRules rules;
-  rules.seams = Seams::None;
+  rules.seams = seams;
   ClassifiedBrep model = build_brep(mesh, rules, normals);
   return {std::move(mesh), std::move(normals), std::move(model)};
 }
 
-ModelScene scene_of(const SurfaceMesh& mesh) { return scene_of(mesh, measure_normals(mesh, build_topology(mesh))); }
+ModelScene scene_of(const SurfaceMesh& mesh, Seams seams = Seams::None) {
+  return scene_of(mesh, measure_normals(mesh, build_topology(mesh)), seams);
+}
 
 ModelScene scene_of(Operation operation, const std::vector<SurfaceMesh>& operands) {
   BooleanResult result = evaluate_boolean(operation, pointers_to(operands));
@@ -127,6 +129,20 @@ TEST_CASE("the union of two cylinders gets triangles of one size and no angle be
   CHECK(enclosed_volume(result.mesh) == Approx(enclosed_volume(scene.mesh)).epsilon(2e-3));
   CHECK(find_self_crossings(result.mesh).empty());
   CHECK(static_cast<double>(result.mesh.triangles.size()) == Approx(predict_triangle_count(scene.mesh, sizes)).epsilon(0.05));
+}
+
+TEST_CASE("seams are edges", "[remesh]") {
+  const ModelScene tube = scene_of(make_cylinder(1, 4, 48), Seams::Annulus), torus = scene_of(make_torus(2, 0.7, 80, 40), Seams::Disc);
+  CHECK(tube.model.brep.edges.size() == 3);
+  CHECK(torus.model.brep.edges.size() == 3);
+  for (const ModelScene* scene : {&tube, &torus}) {
+    const SizingProxy sizes({}, {.global = 0.16});
+    const RemeshResult result = remeshed(*scene, sizes);
+    const Quality q = measure(result.mesh, sizes);
+    CHECK(q.least_angle > 30);
+    CHECK(q.greatest_angle < 115);
+    CHECK(q.mean_ratio > 0.95);
+  }
 }
 
 TEST_CASE("a torus of long triangles gets good ones", "[remesh]") {
@@ -312,7 +328,4 @@ TEST_CASE("rules and sizes without a meaning are refused, and a count out of bou
   CHECK_THROWS_AS(layers_round(scene.mesh, {{VertexId(0), VertexId(99)}}, 1), Error);
   cancelling.progress = [](std::string_view, double fraction) { return fraction < 0.2; };
   CHECK(code_of(scene, sizes, cancelling) == ErrorCode::Cancelled);
-  const SurfaceMesh tube = make_cylinder(1, 1, 24);
-  ModelScene with_seam{tube, measure_normals(tube, build_topology(tube)), build_brep(tube)};
-  CHECK(code_of(with_seam, sizes, {}) == ErrorCode::InvalidArgument);
 }

@@ -11,11 +11,10 @@
 namespace mortise {
 namespace {
 
-// Per mesh edge: the model edge it is on, if any; seams do not count.
+// Per mesh edge: the model edge it is on, if any.
 std::vector<ModelEdgeId> model_edges_of(const MeshTopology& topology, const ClassifiedBrep& model) {
   std::vector<ModelEdgeId> on(topology.edges.size());
   for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
-    if (model.brep.edges[ModelEdgeId(e)].is_seam) continue;
     const std::span<const VertexId> path = model.classification.path.of(ModelEdgeId(e));
     for (std::size_t k = 0; k + 1 < path.size(); ++k) {
       const MeshEdgeId step = find_edge(topology, path[k], path[k + 1]);
@@ -39,11 +38,6 @@ EditMesh::EditMesh(const SurfaceMesh& mesh, const ClassifiedBrep& model)
     : points(mesh.points), faces_(model.classification.face_of_triangle), entities_(model.classification.entity_of_vertex) {
   for (const Triangle& t : mesh.triangles) corners_.insert(corners_.end(), t.begin(), t.end());
   for (std::uint32_t t = 0; t < mesh.triangles.size(); ++t) references.push_back(t);
-  for (HalfEdge h = 0; h < corners_.size(); ++h) {
-    ModelEntity& entity = entities_[corners_[h].index()];
-    if (entity.dimension == EntityDimension::Edge && model.brep.edges[ModelEdgeId(entity.id)].is_seam)
-      entity = {EntityDimension::Face, faces_[h / 3].value};
-  }
   link_uses(mesh, build_topology(mesh), model);
   fan_list_.assign(points.size(), no_list);
   leaving_.assign(points.size(), 0);

@@ -19,7 +19,7 @@ namespace mortise {
 /// one open fan for every use of it; any number at a model vertex. Triangles and vertices that are gone leave holes in the numbering.
 class EditMesh {
  public:
-  /// @param model  of the mesh; its seams are no edges here, they are traced anew afterwards
+  /// @param model  of the mesh
   EditMesh(const SurfaceMesh& mesh, const ClassifiedBrep& model);
 
   std::vector<Vec3d> points;              ///< per vertex

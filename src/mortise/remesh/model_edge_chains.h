@@ -9,7 +9,7 @@
 
 namespace mortise {
 
-/// Per model edge its mesh vertices from start to end; empty for seams.
+/// Per model edge its mesh vertices from start to end.
 [[nodiscard]] IdVector<ModelEdgeId, std::vector<VertexId>> trace_chains(const WorkingMesh& w);
 
 /// A half-edge between two vertices on a model edge, in either direction; no_half_edge when there is none.

@@ -41,7 +41,7 @@ double count_on(const Triangle& t, const std::vector<Vec3d>& points, const Sizin
   return count_on(points[t[0].index()], points[t[1].index()], points[t[2].index()], sizes);
 }
 
-void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const RemeshRules& rules) {
+void check_rules(const SurfaceMesh& mesh, const RemeshRules& rules) {
   if (!rules.zone.empty() && rules.zone.size() != mesh.triangles.size())
     throw Error(ErrorCode::InvalidArgument, "remesh", "the zone has " + std::to_string(rules.zone.size()) + " marks, not one per triangle");
   const bool are_rounds_fine =
@@ -50,10 +50,6 @@ void check_rules(const SurfaceMesh& mesh, const ClassifiedBrep& model, const Rem
   const bool is_fine = rules.shortest > 0 && rules.longest > rules.shortest && rules.longest < 1e3 && rules.worst_angle_deg >= 0 &&
                        rules.worst_angle_deg < 60;
   if (!is_fine) throw Error(ErrorCode::InvalidArgument, "remesh", "rules need 0 < shortest < longest < 1000 and 0 <= worst_angle_deg < 60");
-  for (std::size_t e = 0; e < model.brep.edges.size(); ++e) {
-    if (model.brep.edges[ModelEdgeId(e)].is_seam)
-      throw Error(ErrorCode::InvalidArgument, "remesh", "edge " + std::to_string(e) + " is a seam: make the model without seams");
-  }
 }
 
 // Triangles per model face; those outside the zone are there already. Or refuses.
@@ -235,7 +231,7 @@ double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes)
 
 RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizes,
                     const RemeshRules& rules) {
-  check_rules(mesh, model, rules);
+  check_rules(mesh, rules);
   const IdVector<ModelFaceId, double> counts = foretell_counts(mesh, model, sizes, rules);
   const bool is_any_coarse = std::any_of(rules.rounds.begin(), rules.rounds.end(), [](double coarse) { return coarse > 1; });
   Restraints restraints{{}, rules.zone};

@@ -60,9 +60,9 @@ struct RemeshResult {
 /// where model edges meet at small angles or lie closer together than the size. Where faces come to cross that did not, model faces are
 /// remeshed without coarse rounds; where they cross still, triangles stay as they were.
 ///
-/// @param model  of the mesh, made without seams
+/// @param model  of the mesh; seams are edges like others, so without them there is more to change
 /// @param normals  as in build_brep
-/// @throws Error{InvalidArgument} for rules that mean nothing and for seams, Error{ResultTooLarge} naming the count predicted,
+/// @throws Error{InvalidArgument} for rules that mean nothing, Error{ResultTooLarge} naming the count predicted,
 ///         Error{Cancelled}
 [[nodiscard]] RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals,
                                   const SizingProxy& sizes, const RemeshRules& rules = {});
