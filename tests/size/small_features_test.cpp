@@ -50,13 +50,14 @@ TEST_CASE("a cube of edges as long as the size has no small features, one of hal
   for (const SizeSource& source : half.sources) CHECK(source.strengths[0] == 1);
 }
 
-TEST_CASE("both sides of a strip ask for its width all along, and its short edges for their length", "[size]") {
+TEST_CASE("both sides of a strip ask for equilateral triangles as high as it is wide all along, and its short edges for their length",
+          "[size]") {
   const Modelled plate(box({0, 0, 0}, {10, 10, 0.1}));
   const SmallFeatures found = find(plate, 1);
   CHECK(found.short_edges == 4);
   const SizingProxy sizes = SizingProxy({}, {1, 0}).with(found.sources);
   for (double x = 0; x <= 10; x += 0.25) {
-    for (const double z : {0.0, 0.1}) CHECK(sizes.size_at({x, 0, z}) <= 0.1 + 1e-12);
+    for (const double z : {0.0, 0.1}) CHECK(sizes.size_at({x, 0, z}) <= 0.2 / std::sqrt(3.0) + 1e-12);
   }
   CHECK(sizes.size_at({5, 5, 0}) == 1);
 }
@@ -75,7 +76,7 @@ TEST_CASE("a slot through a plate is no part of its faces: only its ends are sma
   CHECK(found.short_edges == 4);
   const SizingProxy sizes = SizingProxy({}, {1, 0}).with(found.sources);
   CHECK(sizes.size_at({5, 5, 2}) > 0.5);
-  CHECK(sizes.size_at({2, 5, 1}) <= 0.1 + 1e-12);  // the narrow walls at its ends
+  CHECK(sizes.size_at({2, 5, 1}) <= 0.2 / std::sqrt(3.0) + 1e-12);  // the narrow walls at its ends
 }
 
 TEST_CASE("a hole close to an edge asks for the gap on both", "[size]") {

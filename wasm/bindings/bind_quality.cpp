@@ -12,6 +12,7 @@
 #include "border.h"
 #include "models.h"
 #include "mortise/remesh/quality_table.h"
+#include "size_sources.h"
 #include "sizings.h"
 
 namespace mortise::wasm {
@@ -79,17 +80,18 @@ Reference reference_in(const val& object) {
 }
 
 /// {numbers, deviation?, table}.
-/// @param settings  those of rules_in, with reference?: {mesh, settings} with sources?; with groups the mesh is as it is, and its groups
-/// are
-///                  the faces of the reference
+/// @param settings  those of rules_in, with smallFeatures?: those of remesh, and reference?: {mesh, settings} with sources?; with groups
+///                  the mesh is as it is, and its groups are the faces of the reference
 val measure_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
-    const auto sizes = sizing_of(sizing);
+    const auto given_sizes = sizing_of(sizing);
+    const val features = settings["smallFeatures"];
+    const SizingProxy sizes = features.isUndefined() ? *given_sizes : given_sizes->with(segment_sources_in(features));
     const BrepRules rules = rules_in(settings);
     const bool is_classified = !rules.features.groups.empty();
     const SurfaceMesh mesh = is_classified ? mesh_in(mesh_object) : welded_mesh_in(mesh_object);
     ClassifiedBrep model = build_brep(mesh, rules);
-    const QualityReport report = measure_quality(mesh, model, *sizes);
+    const QualityReport report = measure_quality(mesh, model, sizes);
     std::string table = quality_table(report);
     val object = val::object();
     object.set("numbers", copy_out(numbers_of(report)));
@@ -97,7 +99,7 @@ val measure_mesh(const val& mesh_object, const val& settings, std::uint32_t sizi
       const Reference reference = reference_in(settings["reference"]);
       if (is_classified) number_faces(model, rules.features.groups, reference.model.brep.faces.size());
       const Matching matching = is_classified ? Matching::Faces : Matching::None;
-      const Deviation deviation = measure_deviation(mesh, model, reference.mesh, reference.model, *sizes, matching);
+      const Deviation deviation = measure_deviation(mesh, model, reference.mesh, reference.model, sizes, matching);
       object.set("deviation", copy_out(numbers_of(deviation)));
       table += deviation_table(deviation);
     }

@@ -3,8 +3,10 @@
 // Meshes of the sizes wanted on the same model.
 #include <emscripten/bind.h>
 
+#include <limits>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "arrays.h"
@@ -15,6 +17,7 @@
 #include "mortise/mesh/measures.h"
 #include "mortise/remesh/remesh.h"
 #include "mortise/size/small_features.h"
+#include "size_sources.h"
 #include "sizings.h"
 
 namespace mortise::wasm {
@@ -66,18 +69,37 @@ std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) 
   return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["sources"]["provenance"])), layers.as<std::uint32_t>());
 }
 
-/// The sizes given, and those that small features ask for. Sizes that are refused anyway are left alone.
+/// The sizes given, and those that small features ask for.
+struct FeatureSizes {
+  SizingProxy sizes;
+  std::vector<SizeSource> features;
+};
+
+/// Sizes that are refused anyway are left alone.
 /// @param features  undefined, or {growth, least?}
-SizingProxy sizes_with_features(const SizingProxy& given, const SurfaceMesh& mesh, const ClassifiedBrep& model, double most_triangles,
-                                const val& features) {
-  if (features.isUndefined() || !(predict_triangle_count(mesh, given) <= most_triangles)) return given;
+FeatureSizes sizes_with_features(const SizingProxy& given, const SurfaceMesh& mesh, const ClassifiedBrep& model, double most_triangles,
+                                 const val& features) {
+  if (features.isUndefined() || mesh.triangles.empty() || !(predict_triangle_count(mesh, given) <= most_triangles)) return {given, {}};
   const Box3 box = bounding_box(mesh);
   const val least = features["least"];
   const SmallFeatureRules rules{least.isUndefined() ? 1e-6 * length(box.hi - box.lo) : least.as<double>(), features["growth"].as<double>()};
-  return given.with(find_small_features(mesh, model, given, rules).sources);
+  std::vector<SizeSource> found = find_small_features(mesh, model, given, rules).sources;
+  SizingProxy sizes = given.with(found);
+  return {std::move(sizes), std::move(found)};
 }
 
-/// {mesh, sources, modelFaces, modelEdges, kept, newCrossings, predicted, before, after}.
+RemeshResult remesh_with(const FeatureSizes& sized, const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals,
+                         const RemeshRules& rules) {
+  try {
+    return remesh(mesh, model, normals, sized.sizes, rules);
+  } catch (Error& error) {
+    const bool may_be_features = error.code == ErrorCode::ResultTooLarge && !sized.features.empty();
+    if (may_be_features) error.message += "; some for small features: features 'keep' leaves these as they are, minFeature those below it";
+    throw;
+  }
+}
+
+/// {mesh, sources, modelFaces, modelEdges, smallFeatures, kept, newCrossings, predicted, before, after}.
 /// @param settings  those of rules_in, with sources?, features?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?,
 /// mostTriangles and listener: (stage, fraction) -> go on?
 val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
@@ -88,24 +110,33 @@ val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizin
     const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals);
     RemeshRules rules = remesh_rules_in(settings);
     rules.zone = zone_in(mesh, settings);
-    const SizingProxy sizes = sizes_with_features(*given_sizes, mesh, model, rules.most_triangles, settings["features"]);
-    const RemeshResult result = remesh(mesh, model, normals, sizes, rules);
+    const FeatureSizes sized = sizes_with_features(*given_sizes, mesh, model, rules.most_triangles, settings["features"]);
+    const RemeshResult result = remesh_with(sized, mesh, model, normals, rules);
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     object.set("sources", ids_out(result.sources));
     object.set("modelFaces", ids_out(result.classification.face_of_triangle));
     object.set("modelEdges", model_edges_out(result.classification));
+    object.set("smallFeatures", segment_sources_out(sized.features));
     object.set("kept", ids_out(result.kept));
     object.set("newCrossings", static_cast<double>(result.new_crossings.size()));
-    object.set("predicted", predict_triangle_count(mesh, sizes));
+    object.set("predicted", predict_triangle_count(mesh, sized.sizes));
     object.set("before", shape_out(mesh));
     object.set("after", shape_out(result.mesh));
     return object;
   });
 }
 
-val predict_triangles(const val& mesh, std::uint32_t sizing) {
-  return answer([&] { return predict_triangle_count(mesh_in(mesh), *sizing_of(sizing)); });
+/// @param settings  those of rules_in, with sources? and features?
+val predict_triangles(const val& mesh_object, const val& settings, std::uint32_t sizing) {
+  return answer([&] {
+    const auto given_sizes = sizing_of(sizing);
+    const SurfaceMesh mesh = welded_mesh_in(mesh_object);
+    if (settings["features"].isUndefined()) return predict_triangle_count(mesh, *given_sizes);
+    const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals_of(mesh, settings["sources"]));
+    const double whatever = std::numeric_limits<double>::infinity();
+    return predict_triangle_count(mesh, sizes_with_features(*given_sizes, mesh, model, whatever, settings["features"]).sizes);
+  });
 }
 
 }  // namespace

@@ -22,6 +22,8 @@ namespace {
 
 using emscripten::val;
 
+constexpr std::size_t numbers_of_segment = 8;
+
 // Stays where it is: the view refers to it.
 struct ViewedModel {
   explicit ViewedModel(const val& object)
@@ -116,6 +118,25 @@ std::vector<SizeSource> size_sources_in(const val& object) {
       error.message.insert(0, "sources[" + std::to_string(i) + "]: ");
       throw;
     }
+  }
+  return sources;
+}
+
+val segment_sources_out(const std::vector<SizeSource>& sources) {
+  std::vector<double> numbers;
+  for (const SizeSource& source : sources) {
+    const Vec3d &from = source.corners[0], &to = source.corners[1];
+    numbers.insert(numbers.end(), {from.x, from.y, from.z, to.x, to.y, to.z, source.strengths[0], source.growth});
+  }
+  return copy_out(numbers);
+}
+
+std::vector<SizeSource> segment_sources_in(const val& array) {
+  const auto numbers = numbers_in<double>(array);
+  std::vector<SizeSource> sources;
+  for (std::size_t i = 0; i + numbers_of_segment <= numbers.size(); i += numbers_of_segment) {
+    const double* n = &numbers[i];
+    sources.push_back(segment_source({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7]));
   }
   return sources;
 }

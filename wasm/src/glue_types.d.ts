@@ -78,8 +78,8 @@ export interface Core {
   sizesAt(sizing: number, points: Float64Array | Float32Array): Answer<Float64Array>;
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
   remesh(mesh: CheckedMesh, settings: ModelSettings & RemeshSettings, sizing: number): Answer<RemeshResult>;
-  predictTriangles(mesh: CheckedMesh, sizing: number): Answer<number>;
-  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined }, sizing: number): Answer<MeasuredMesh>;
+  predictTriangles(mesh: CheckedMesh, settings: ModelSettings & FeatureSettings, sizing: number): Answer<number>;
+  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined; smallFeatures?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -102,11 +102,15 @@ export interface ModelSettings {
   planes?: Uint32Array;
 }
 
+/** What is to become of features that are too small. */
+export interface FeatureSettings {
+  features?: { growth: number; least?: number };
+}
+
 /** What `remesh` is told beside. */
-export interface RemeshSettings {
+export interface RemeshSettings extends FeatureSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
-  features?: { growth: number; least?: number };
   isPaper: boolean;
   isFrontal: boolean;
   rounds: Float64Array | undefined;

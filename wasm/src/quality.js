@@ -68,13 +68,14 @@ function deviationOf(numbers, isByFace) {
  * @param {ModelSettings} settings
  */
 function checkJudged(given, settings) {
-  const { mesh, modelFaces, modelEdges } = given ?? {};
+  const { mesh, modelFaces, modelEdges, smallFeatures } = given ?? {};
   if (modelFaces === undefined && modelEdges === undefined) return { mesh: checkMesh(given, 'mesh'), settings };
   const checked = checkMesh(mesh, 'mesh');
   const triangles = (checked.triangles?.length ?? checked.positions.length / 3) / 3;
   if (!(modelFaces instanceof Uint32Array) || modelFaces.length !== triangles) throw invalidArgument(`modelFaces must be those of a remeshed mesh of ${triangles} triangles, not ${describe(modelFaces)}`);
+  if (smallFeatures !== undefined && !(smallFeatures instanceof Float64Array)) throw invalidArgument(`smallFeatures must be those of a remeshed mesh, not ${describe(smallFeatures)}`);
   const { userEdges } = checkModelOptions({ userEdges: modelEdges });
-  return { mesh: checked, settings: { ...settings, faceAngle: 180, splitAtLabels: false, groups: modelFaces, userEdges } };
+  return { mesh: checked, settings: { ...settings, faceAngle: 180, splitAtLabels: false, groups: modelFaces, userEdges, smallFeatures } };
 }
 
 /**

@@ -15,7 +15,8 @@ import { Sizing, makeSizing } from './sizing.js';
 
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
-const remeshOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'mostTriangles', 'zone', 'layers', 'features', 'minFeature', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
+const modelledOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'features', 'minFeature'];
+const remeshOptions = [...modelledOptions, 'mostTriangles', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
 const mostRounds = 1000;
 const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
@@ -35,10 +36,10 @@ function checkWord(value, name, words) {
 }
 
 /** What is to become of features that are too small. @param {any} options */
-function checkFeatures({ features = 'keep', minFeature, growth = 1.2 }) {
+function checkFeatures({ features = 'refine', minFeature, growth = 1.2 }) {
   checkWord(features, 'features', featureModes);
   if (minFeature === undefined) return features === 'keep' ? undefined : { growth };
-  if (features === 'keep') throw invalidArgument("minFeature goes with features: 'refine'");
+  if (features === 'keep') throw invalidArgument("minFeature does not go with features: 'keep'");
   if (!(Number.isFinite(minFeature) && minFeature >= 0)) throw invalidArgument(`minFeature must be a length, not ${describe(minFeature)}`);
   return { growth, least: minFeature };
 }
@@ -141,6 +142,18 @@ export function withSizing({ session, ask }, { mesh: { positions, triangles }, o
 }
 
 /**
+ * What is to be remeshed, and how its model is made.
+ * @param {any} given
+ * @param {any} options
+ */
+function checkModelled(given, options) {
+  const { operands, featureAngle = 40, curveAngle = 45 } = options;
+  const { mesh, sources } = checkGiven(given, operands);
+  const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
+  return { mesh, settings: { ...checkModelOptions({ ...angles, seams: 'none' }), sources, features: checkFeatures(options) } };
+}
+
+/**
  * @param {Session} session
  * @param {Ask} ask
  * @returns {Pick<import('./index.js').Mortise, 'remesh' | 'predictTriangles'>}
@@ -149,21 +162,20 @@ export function remeshFunctions(session, ask) {
   return {
     remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, remeshOptions);
-      const { operands, featureAngle = 40, curveAngle = 45, mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
+      const { mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
       checkWord(preset, 'preset', presets);
       checkWord(mesher, 'mesher', meshers);
-      const { mesh, sources } = checkGiven(given, operands);
-      const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
+      const { mesh, settings: modelled } = checkModelled(given, checked);
       const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
-      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, sources !== undefined, checked.zone) };
-      const settings = { ...checkModelOptions({ ...angles, seams: 'none' }), sources, features: checkFeatures(checked), ...limits, ...zones };
+      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, modelled.sources !== undefined, checked.zone) };
+      const settings = { ...modelled, ...limits, ...zones };
       const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));
       return withSizing({ session, ask }, { mesh, options: checked }, remeshWith);
     },
-    predictTriangles: (given, options) => {
-      const checked = checkOptions(options, sizeOptions);
-      const mesh = checkMesh(given, 'mesh');
-      return withSizing({ session, ask }, { mesh, options: checked }, (sizing) => ask((core) => core.predictTriangles(mesh, sizing), [mesh]));
+    predictTriangles: (/** @type {any} */ given, /** @type {any} */ options) => {
+      const checked = checkOptions(options, modelledOptions);
+      const { mesh, settings } = checkModelled(given, checked);
+      return withSizing({ session, ask }, { mesh, options: checked }, (sizing) => ask((core) => core.predictTriangles(mesh, settings, sizing), [mesh]));
     },
   };
 }

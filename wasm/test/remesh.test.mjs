@@ -7,7 +7,7 @@ import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 
-import { inspect, load, make, MeshError, model, predictTriangles, remesh, resultModel, sizing, transform, union } from 'mortise';
+import { inspect, load, make, MeshError, model, predictTriangles, quality, remesh, resultModel, sizing, transform, union } from 'mortise';
 
 import { cube, meshError, run, soupOf, temporaryFolder } from './support.mjs';
 
@@ -133,14 +133,24 @@ test('the frontal mesher makes new triangles in planes, of the same sizes and on
   assert.deepEqual(await remesh(cube(), { ...options, mesher: 'frontal' }), frontal);
 });
 
-test('features smaller than the size get triangles that fit them, on request', async () => {
+test('features smaller than the size get triangles that fit them, unless they are to be kept', async () => {
   const plate = await make('box', { lo: [0, 0, 0], hi: [10, 10, 0.3] });
-  const [kept, refined] = [await remesh(plate, { size: 1 }), await remesh(plate, { size: 1, features: 'refine' })];
-  assert.deepEqual(await remesh(plate, { size: 1, features: 'keep' }), kept);
+  const [kept, refined] = [await remesh(plate, { size: 1, features: 'keep' }), await remesh(plate, { size: 1 })];
+  assert.deepEqual(await remesh(plate, { size: 1, features: 'refine' }), refined);
+  assert.equal(kept.smallFeatures.length, 0);
+  assert.deepEqual([...refined.smallFeatures.subarray(6, 8)], [0.3, 1.2], 'size and growth of the first');
   assert.ok(kept.after.minAngleDeg < 30 && refined.after.minAngleDeg > 30, `${kept.after.minAngleDeg}, ${refined.after.minAngleDeg}`);
   assert.ok(refined.predicted > 3 * kept.predicted && refined.after.triangles > refined.predicted, `${refined.after.triangles} of ${refined.predicted}`);
-  assert.deepEqual(await remesh(plate, { size: 1, features: 'refine', minFeature: 0.4 }), kept);
-  assert.deepEqual(await remesh(plate, { size: 5, features: 'refine', minFeature: 20 }), await remesh(plate, { size: 5 }));
+  assert.deepEqual(await remesh(plate, { size: 1, minFeature: 0.4 }), kept);
+  for (const features of ['keep', 'refine']) {
+    const { predicted } = features === 'keep' ? kept : refined;
+    assert.equal(await predictTriangles(plate, { size: 1, features }), predicted);
+  }
+  const [asRefined, asKept] = [await quality(refined, { size: 1 }), await quality({ ...refined, smallFeatures: undefined }, { size: 1 })];
+  assert.ok(asRefined.edges.inBand > 0.97 && asKept.edges.inBand < 0.5, `${asRefined.edges.inBand}, ${asKept.edges.inBand}`);
+  assert.equal(asRefined.all.below30, 0);
+  const { message } = await meshError('RESULT_TOO_LARGE', () => remesh(plate, { size: 1, mostTriangles: 1000 }), MeshError);
+  assert.match(message, /more than 1000; some for small features: features 'keep' leaves these as they are, minFeature those below it/);
 });
 
 test('where faces would come to cross, triangles stay', async () => {
@@ -209,8 +219,8 @@ test('what means nothing is refused by name', async () => {
     [cube(), { size: 1, preset: 'botsch' }, /preset must be 'default' or 'paper', not /],
     [cube(), { size: 1, mesher: 'front' }, /mesher must be 'local' or 'frontal', not /],
     [cube(), { size: 1, features: 'merge' }, /features must be 'keep' or 'refine', not /],
-    [cube(), { size: 1, minFeature: 0.1 }, /minFeature goes with features: 'refine'/],
-    [cube(), { size: 1, features: 'refine', minFeature: -1 }, /minFeature must be a length, not number -1/],
+    [cube(), { size: 1, features: 'keep', minFeature: 0.1 }, /minFeature does not go with features: 'keep'/],
+    [cube(), { size: 1, minFeature: -1 }, /minFeature must be a length, not number -1/],
     [cube(), { size: 1, mostTriangles: 0 }, /mostTriangles must be a number, 1 to/],
     [cube(), { size: 1, onProgress: 5 }, /onProgress must be a function/],
     [cube(), { sizing: made, size: 1 }, /a sizing says all about sizes: leave out size/],

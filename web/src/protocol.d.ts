@@ -106,7 +106,7 @@ export interface Calls {
   /** `inspect` as in the package: whether self-intersections of the result are counted. */
   evaluate: [{ operation: Operation; operands: PlacedOperand[]; inspect: boolean }, Evaluation];
   /** About how many triangles a whole surface of the sizes wanted has. */
-  predict: [{ made: Made; wish: RemeshWish }, number];
+  predict: [{ made: Made; operands: PlacedOperand[]; wish: RemeshWish }, number];
   /** `origin`: of the display. */
   remesh: [{ made: Made; operands: PlacedOperand[]; wish: RemeshWish; origin: Vector }, Remeshing];
   write: [{ mesh: Mesh; format: Format }, Uint8Array];

@@ -30,7 +30,10 @@ function startPrediction(model, engine) {
   const newest = newestOnly(async () => {
     const { result, wish } = model;
     model.predicted = undefined;
-    if (result !== undefined && wish.size > 0) model.predicted = await engine.call('predict', { made: madeOf(result), wish }).catch(() => undefined);
+    if (result !== undefined && wish.size > 0) {
+      const args = { made: madeOf(result), operands: result.operands, wish };
+      model.predicted = await engine.call('predict', args).catch(() => undefined);
+    }
     model.tell('predicted');
   });
   model.on(['result', 'wish', 'dragging'], () => {

@@ -15,10 +15,11 @@
 namespace mortise {
 namespace {
 
-constexpr double small = 0.7;           // of the size
-constexpr double pieces_of_closed = 3;  // no closed model edge has fewer mesh edges
-constexpr double farthest_way = 16;     // in sizes: wedges of 5 degrees and more are closed by then
-constexpr double way_over_gap = 2;      // where two lines meet at 60 degrees, the way along them is twice the gap
+constexpr double small = 0.7;                         // of the size
+constexpr double pieces_of_closed = 3;                // no closed model edge has fewer mesh edges
+constexpr double farthest_way = 16;                   // in sizes: wedges of 5 degrees and more are closed by then
+constexpr double edge_over_gap = 1.1547005383792515;  // 2 / sqrt(3): of equilateral triangles in one row
+constexpr double way_over_gap = 2;                    // where two lines meet at 60 degrees, the way along them is twice the gap
 constexpr double looks_per_size = 2;
 constexpr double no_gap = std::numeric_limits<double>::infinity();
 constexpr double most_looks = 1e6;  // at one piece
@@ -66,7 +67,7 @@ class Finder {
         gap = next_gap;
         if (least == no_gap) continue;
         ++found_.close_places;
-        ask(features.on_piece(i, k / looks).at, features.on_piece(i, (k + 1) / looks).at, least);
+        ask(features.on_piece(i, k / looks).at, features.on_piece(i, (k + 1) / looks).at, edge_over_gap * least);
       }
     }
   }
@@ -89,7 +90,7 @@ class Finder {
     for (const ClosePart& part : features.parts_close_to(place, small * size, farthest_way * size, inwards_)) {
       if (part.way <= way_over_gap * part.gap || part.vertices == 1 || part.gap < rules_.least) continue;
       least = std::min(least, part.gap);
-      ask(part.at, part.at, part.gap);
+      ask(part.at, part.at, edge_over_gap * part.gap);
     }
     return least;
   }

@@ -24,8 +24,8 @@ struct SmallFeatures {
 };
 
 /// Model edges below 0.7 of the size ask for their length, closed ones for a third of it. Where two parts of the model edges of one face
-/// have less than 0.7 of the size of it between them, both ask for the gap; but not where they meet in one model vertex: towards it there
-/// is no end to that. Edges are looked at every half size. Seams are no features.
+/// have less than 0.7 of the size of it between them, both ask for equilateral triangles as high as the gap; but not where they meet in one
+/// model vertex: towards it there is no end to that. Edges are looked at every half size. Seams are no features.
 ///
 /// @throws what check_sources does about the growth; Error{InvalidArgument} for a `least` that is negative or not finite
 [[nodiscard]] SmallFeatures find_small_features(const SurfaceMesh& mesh, const ClassifiedBrep& model, const SizingProxy& sizes,

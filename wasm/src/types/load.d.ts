@@ -8,8 +8,8 @@ import type { Mesh, MeshInput } from './mesh.js';
 import type { GroupedMesh, MeshPart, PinchFreeMesh, RepairSteps, RepairedMesh, Section, Shapes, SplitOptions, TransformStep, VertexMesh } from './mesh_operations.js';
 import type { GmshProject, Model, ModelFormat, ModelOperand, ModelOptions, ResultModel, ResultModelOptions } from './models.js';
 import type { MeshOperand, Operand, PreparedOperand } from './operands.js';
-import type { QualityOptions, QualityReport } from './quality.js';
-import type { RemeshOptions, RemeshResult, RemeshSizes } from './remesh.js';
+import type { JudgedMesh, QualityOptions, QualityReport } from './quality.js';
+import type { PredictOptions, RemeshOptions, RemeshResult } from './remesh.js';
 import type { Report } from './report.js';
 import type { Sizing, SizingOptions } from './sizing.js';
 
@@ -67,8 +67,9 @@ export interface Mortise {
   sizing(options: SizingOptions): Sizing;
   remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): RemeshResult;
   remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): RemeshResult;
-  predictTriangles(mesh: MeshInput, options: RemeshSizes): number;
-  quality(mesh: MeshInput | (Pick<RemeshResult, 'modelFaces' | 'modelEdges'> & { mesh: Mesh }), options: QualityOptions): QualityReport;
+  predictTriangles(mesh: MeshInput, options: PredictOptions & { operands?: undefined }): number;
+  predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly MeshInput[] }): number;
+  quality(mesh: JudgedMesh, options: QualityOptions): QualityReport;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;
   groupByLabel(mesh: MeshInput): GroupedMesh;

@@ -3,7 +3,7 @@
 // How good the triangles of a mesh are for the sizes wanted.
 
 import type { BooleanResult } from './booleans.js';
-import type { Mesh, MeshInput } from './mesh.js';
+import type { MeshInput } from './mesh.js';
 import type { RemeshResult, RemeshSizes } from './remesh.js';
 
 /** Of a set of triangles; zeros when it is empty. Angles are in degrees. */
@@ -88,8 +88,11 @@ export type QualityOptions = RemeshSizes & {
   curveAngle?: number;
 } & ({ reference?: MeshInput; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly MeshInput[] });
 
+/** A mesh, or what `remesh` answered. */
+export type JudgedMesh = MeshInput | (Pick<RemeshResult, 'mesh' | 'modelFaces' | 'modelEdges'> & Partial<Pick<RemeshResult, 'smallFeatures'>>);
+
 /**
- * How good the triangles of a mesh are for the sizes wanted: of any mesh, or of what `remesh` answered, which knows its model. With a `reference`,
+ * How good the triangles of a mesh are for the sizes wanted: of any mesh, or of what `remesh` answered, which knows its model and the sizes of its small features. With a `reference`,
  * say the mesh that was remeshed (and its `operands`, as for remesh, when it is a result), how far the two are apart.
  */
-export function quality(mesh: MeshInput | (Pick<RemeshResult, 'modelFaces' | 'modelEdges'> & { mesh: Mesh }), options: QualityOptions): Promise<QualityReport>;
+export function quality(mesh: JudgedMesh, options: QualityOptions): Promise<QualityReport>;

@@ -21,24 +21,31 @@ export type RemeshSizes =
     }
   | { sizing: Sizing; size?: undefined; smallest?: undefined; growth?: undefined; sources?: undefined };
 
-export type RemeshOptions = RemeshSizes & {
+/** How the model of a mesh is made, and what is to become of its small features. */
+export interface ModelledOptions {
   /** Triangles at a larger angle, in degrees, are of different model faces; so are those of different labels. Default 40. */
   featureAngle?: number;
   /** A model edge that turns by more at a vertex, in degrees, keeps that vertex. Default 45. */
   curveAngle?: number;
+  /**
+   * `refine`: model edges below 0.7 of the size get triangles of their length, and where two parts of the edges of a model face have less than that of it
+   * between them, triangles of that width; sizes grow from there by `growth` (1.2 with a `sizing`). `keep`: they stay as they are, and spoil the triangles at
+   * them. Default `refine`.
+   */
+  features?: 'keep' | 'refine';
+  /** Features below this length stay as they are. Default 1e-6 of the diagonal of the box round the mesh. */
+  minFeature?: number;
+}
+
+export type PredictOptions = RemeshSizes & ModelledOptions;
+
+export type RemeshOptions = PredictOptions & {
   /** Per triangle of the mesh given: 1 when it may change. All others stay as they are, byte for byte. Default: all may. */
   zone?: ArrayLike<number>;
   /** Of a result: only triangles in so many layers round the intersection graph may change. */
   layers?: number;
   /** Sizes that ask for more triangles are refused, RESULT_TOO_LARGE. Default 20 million. */
   mostTriangles?: number;
-  /**
-   * `refine`: model edges below 0.7 of the size get triangles of their length, and where two parts of the edges of a model face have less than that of it
-   * between them, triangles of that width; sizes grow from there by `growth` (1.2 with a `sizing`). Else small features spoil the triangles at them. Default `keep`.
-   */
-  features?: 'keep' | 'refine';
-  /** With `refine`: features below this length are left as they are. Default 1e-6 of the diagonal of the box round the mesh. */
-  minFeature?: number;
   /** `paper`: edges are collapsed below the size and split above twice the size, in three rounds; they come out 1.4 sizes long. */
   preset?: 'default' | 'paper';
   /**
@@ -76,6 +83,8 @@ export interface RemeshResult {
   modelFaces: Uint32Array;
   /** Two vertices for each mesh edge that lies on a model edge. */
   modelEdges: Uint32Array;
+  /** The segments that ask for sizes small features need, eight numbers each: from, to, size, growth. `quality` judges by them too. */
+  smallFeatures: Float64Array;
   /** Triangles of the mesh given that stay because faces would have come to cross there. */
   kept: Uint32Array;
   /** Pairs of triangles that cross where none did before, left after the last audit. */
@@ -95,5 +104,6 @@ export function remesh(mesh: MeshInput, options: RemeshOptions & { operands?: un
 /** Of what an operation answered: `operands` are the meshes of the call, moved as they were there, and creases are those of their triangles. */
 export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): Promise<RemeshResult>;
 
-/** How many triangles the sizes ask for on a mesh, to a few per cent; where sizes grow fast up to a seventh more come out. */
-export function predictTriangles(mesh: MeshInput, options: RemeshSizes): Promise<number>;
+/** How many triangles the sizes, and those of small features, ask for: what `remesh` says is `predicted`. */
+export function predictTriangles(mesh: MeshInput, options: PredictOptions & { operands?: undefined }): Promise<number>;
+export function predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly MeshInput[] }): Promise<number>;

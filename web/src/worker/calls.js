@@ -58,8 +58,9 @@ async function evaluate({ operation, operands, inspect }, tell) {
 }
 
 /** @param {Calls['predict'][0]} args */
-async function predict({ made, wish }) {
-  return parcel(predictMade(await runningCore(), made, wish));
+async function predict({ made, operands, wish }) {
+  const mortise = await runningCore();
+  return parcel(predictMade(mortise, { made, placed: await placeOperands(mortise, operands), wish }));
 }
 
 /**

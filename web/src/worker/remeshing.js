@@ -18,9 +18,13 @@ function sizesOf({ curves }, { size, growth, finer }) {
   return { size, growth, sources: finer ? [{ graph: curves }] : [] };
 }
 
-/** @param {Mortise} mortise @param {Made} made @param {RemeshWish} wish */
-export function predictMade(mortise, made, wish) {
-  return mortise.predictTriangles(made.mesh, sizesOf(made, wish));
+/**
+ * @param {Mortise} mortise
+ * @param {{ made: Made, placed: import('./operand_store.js').Shaped[], wish: RemeshWish }} args
+ */
+export function predictMade(mortise, { made, placed, wish }) {
+  const { featureAngle } = wish;
+  return mortise.predictTriangles(made, { operands: placed.map(({ mesh }) => mesh), ...sizesOf(made, wish), featureAngle });
 }
 
 /** The bin of the smallest angle of each of these faces. @param {Mesh} mesh @param {number[]} faces */

@@ -12,7 +12,7 @@ import { sizeNumbers, sizeOptionsOf, sizesHelp, sizesOf } from '../size_options.
 
 /** Options that are one of some words. */
 const words = ['features', 'preset', 'mesher'];
-const numbers = { ...sizeNumbers, 'most-triangles': 'mostTriangles' };
+const numbers = { ...sizeNumbers, 'most-triangles': 'mostTriangles', 'min-feature': 'minFeature' };
 
 /** @param {string} when @param {TriangleShapes} shapes */
 function shapesText(when, { triangles, minAngleDeg, maxAngleDeg }) {
@@ -41,7 +41,8 @@ export const remeshVerb = {
 The same model (faces, edges and corners by angles and labels) with triangles of the size wanted. Corners stay, edges stay edges.
 
 ${sizesHelp}  --most-triangles N     sizes that ask for more are refused (default 20 million)
-  --features NAME        keep; refine: triangles as small as features below the size take to be good ones
+  --features NAME        refine (default): triangles as small as features below the size take to be good ones; keep
+  --min-feature H        features below this stay as they are (default 1e-6 of the box round the mesh)
   --preset NAME          default; paper: edges are collapsed below H and split above 2 H
   --mesher NAME          local; frontal: faces in planes get new triangles from their edges inwards
   -o, --output FILE      .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; - is the standard output
