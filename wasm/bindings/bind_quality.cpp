@@ -80,13 +80,13 @@ Reference reference_in(const val& object) {
 }
 
 /// {numbers, deviation?, table}.
-/// @param settings  those of rules_in, with smallFeatures?: those of remesh, and reference?: {mesh, settings} with sources?; with groups
+/// @param settings  those of rules_in, with refinement?: that of remesh, and reference?: {mesh, settings} with sources?; with groups
 ///                  the mesh is as it is, and its groups are the faces of the reference
 val measure_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
     const auto given_sizes = sizing_of(sizing);
-    const val features = settings["smallFeatures"];
-    const SizingProxy sizes = features.isUndefined() ? *given_sizes : given_sizes->with(segment_sources_in(features));
+    const val refinement = settings["refinement"];
+    const SizingProxy sizes = refinement.isUndefined() ? *given_sizes : given_sizes->with(segment_sources_in(refinement));
     const BrepRules rules = rules_in(settings);
     const bool is_classified = !rules.features.groups.empty();
     const SurfaceMesh mesh = is_classified ? mesh_in(mesh_object) : welded_mesh_in(mesh_object);

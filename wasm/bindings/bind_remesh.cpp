@@ -33,6 +33,7 @@ RemeshRules remesh_rules_in(const val& settings) {
   rules.audits = settings["audits"].as<std::uint32_t>();
   rules.last_rounds = settings["lastRounds"].as<std::uint32_t>();
   rules.most_triangles = settings["mostTriangles"].as<double>();
+  rules.most_deviation = settings["maxDeviation"].as<double>();
   const val listener = settings["listener"];
   if (listener.isUndefined()) return rules;
   rules.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
@@ -99,9 +100,9 @@ RemeshResult remesh_with(const FeatureSizes& sized, const SurfaceMesh& mesh, con
   }
 }
 
-/// {mesh, sources, modelFaces, modelEdges, smallFeatures, kept, newCrossings, predicted, before, after}.
+/// {mesh, sources, modelFaces, modelEdges, refinement, kept, newCrossings, predicted, before, after}.
 /// @param settings  those of rules_in, with sources?, features?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?,
-/// mostTriangles and listener: (stage, fraction) -> go on?
+/// mostTriangles, maxDeviation and listener: (stage, fraction) -> go on?
 val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
     const auto given_sizes = sizing_of(sizing);
@@ -112,15 +113,17 @@ val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizin
     rules.zone = zone_in(mesh, settings);
     const FeatureSizes sized = sizes_with_features(*given_sizes, mesh, model, rules.most_triangles, settings["features"]);
     const RemeshResult result = remesh_with(sized, mesh, model, normals, rules);
+    std::vector<SizeSource> refinement = sized.features;
+    refinement.insert(refinement.end(), result.refinement.begin(), result.refinement.end());
     val object = val::object();
     object.set("mesh", mesh_out(result.mesh));
     object.set("sources", ids_out(result.sources));
     object.set("modelFaces", ids_out(result.classification.face_of_triangle));
     object.set("modelEdges", model_edges_out(result.classification));
-    object.set("smallFeatures", segment_sources_out(sized.features));
+    object.set("refinement", segment_sources_out(refinement));
     object.set("kept", ids_out(result.kept));
     object.set("newCrossings", static_cast<double>(result.new_crossings.size()));
-    object.set("predicted", predict_triangle_count(mesh, sized.sizes));
+    object.set("predicted", predict_triangle_count(mesh, sized.sizes.with(result.refinement)));
     object.set("before", shape_out(mesh));
     object.set("after", shape_out(result.mesh));
     return object;

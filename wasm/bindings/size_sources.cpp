@@ -22,7 +22,7 @@ namespace {
 
 using emscripten::val;
 
-constexpr std::size_t numbers_of_segment = 8;
+constexpr std::size_t numbers_of_segment = 9;
 
 // Stays where it is: the view refers to it.
 struct ViewedModel {
@@ -125,8 +125,8 @@ std::vector<SizeSource> size_sources_in(const val& object) {
 val segment_sources_out(const std::vector<SizeSource>& sources) {
   std::vector<double> numbers;
   for (const SizeSource& source : sources) {
-    const Vec3d &from = source.corners[0], &to = source.corners[1];
-    numbers.insert(numbers.end(), {from.x, from.y, from.z, to.x, to.y, to.z, source.strengths[0], source.growth});
+    const Vec3d &from = source.corners[0], &to = source.corners[source.corner_count - 1];
+    numbers.insert(numbers.end(), {from.x, from.y, from.z, to.x, to.y, to.z, source.strengths[0], source.growth, source.radius});
   }
   return copy_out(numbers);
 }
@@ -137,6 +137,7 @@ std::vector<SizeSource> segment_sources_in(const val& array) {
   for (std::size_t i = 0; i + numbers_of_segment <= numbers.size(); i += numbers_of_segment) {
     const double* n = &numbers[i];
     sources.push_back(segment_source({n[0], n[1], n[2]}, {n[3], n[4], n[5]}, n[6], n[7]));
+    sources.back().radius = n[8];
   }
   return sources;
 }

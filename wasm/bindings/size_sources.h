@@ -18,7 +18,7 @@ namespace mortise::wasm {
 /// @throws Error{InvalidArgument} naming "sources[3]"
 [[nodiscard]] std::vector<SizeSource> size_sources_in(const emscripten::val& object);
 
-/// Segments of one size each as a Float64Array: both ends, size and growth of one after the other.
+/// Segments, or points, of one size each as a Float64Array: both ends, size, growth and radius of one after the other.
 [[nodiscard]] emscripten::val segment_sources_out(const std::vector<SizeSource>& sources);
 [[nodiscard]] std::vector<SizeSource> segment_sources_in(const emscripten::val& array);
 

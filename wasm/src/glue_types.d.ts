@@ -79,7 +79,7 @@ export interface Core {
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
   remesh(mesh: CheckedMesh, settings: ModelSettings & RemeshSettings, sizing: number): Answer<RemeshResult>;
   predictTriangles(mesh: CheckedMesh, settings: ModelSettings & FeatureSettings, sizing: number): Answer<number>;
-  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined; smallFeatures?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
+  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined; refinement?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -111,6 +111,7 @@ export interface FeatureSettings {
 export interface RemeshSettings extends FeatureSettings {
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
+  maxDeviation: number;
   isPaper: boolean;
   isFrontal: boolean;
   rounds: Float64Array | undefined;

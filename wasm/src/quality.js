@@ -68,14 +68,14 @@ function deviationOf(numbers, isByFace) {
  * @param {ModelSettings} settings
  */
 function checkJudged(given, settings) {
-  const { mesh, modelFaces, modelEdges, smallFeatures } = given ?? {};
+  const { mesh, modelFaces, modelEdges, refinement } = given ?? {};
   if (modelFaces === undefined && modelEdges === undefined) return { mesh: checkMesh(given, 'mesh'), settings };
   const checked = checkMesh(mesh, 'mesh');
   const triangles = (checked.triangles?.length ?? checked.positions.length / 3) / 3;
   if (!(modelFaces instanceof Uint32Array) || modelFaces.length !== triangles) throw invalidArgument(`modelFaces must be those of a remeshed mesh of ${triangles} triangles, not ${describe(modelFaces)}`);
-  if (smallFeatures !== undefined && !(smallFeatures instanceof Float64Array)) throw invalidArgument(`smallFeatures must be those of a remeshed mesh, not ${describe(smallFeatures)}`);
+  if (refinement !== undefined && !(refinement instanceof Float64Array)) throw invalidArgument(`refinement must be that of a remeshed mesh, not ${describe(refinement)}`);
   const { userEdges } = checkModelOptions({ userEdges: modelEdges });
-  return { mesh: checked, settings: { ...settings, faceAngle: 180, splitAtLabels: false, groups: modelFaces, userEdges, smallFeatures } };
+  return { mesh: checked, settings: { ...settings, faceAngle: 180, splitAtLabels: false, groups: modelFaces, userEdges, refinement } };
 }
 
 /**

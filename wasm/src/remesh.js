@@ -16,7 +16,7 @@ import { Sizing, makeSizing } from './sizing.js';
 const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
 const modelledOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'features', 'minFeature'];
-const remeshOptions = [...modelledOptions, 'mostTriangles', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
+const remeshOptions = [...modelledOptions, 'mostTriangles', 'maxDeviation', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
 const mostRounds = 1000;
 const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
@@ -61,6 +61,13 @@ function checkRounds(value) {
 /** @param {unknown} value */
 function checkMostTriangles(value) {
   if (typeof value !== 'number' || !(value >= 1 && value <= mostMeshTriangles)) throw invalidArgument(`mostTriangles must be a number, 1 to ${mostMeshTriangles}, not ${describe(value)}`);
+  return value;
+}
+
+/** @param {unknown} value */
+function checkMaxDeviation(value) {
+  if (value === undefined) return Infinity;
+  if (typeof value !== 'number' || !(value > 0 && value < Infinity)) throw invalidArgument(`maxDeviation must be a positive length, not ${describe(value)}`);
   return value;
 }
 
@@ -166,7 +173,7 @@ export function remeshFunctions(session, ask) {
       checkWord(preset, 'preset', presets);
       checkWord(mesher, 'mesher', meshers);
       const { mesh, settings: modelled } = checkModelled(given, checked);
-      const limits = { mostTriangles: checkMostTriangles(mostTriangles), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
+      const limits = { mostTriangles: checkMostTriangles(mostTriangles), maxDeviation: checkMaxDeviation(checked.maxDeviation), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
       const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, modelled.sources !== undefined, checked.zone) };
       const settings = { ...modelled, ...limits, ...zones };
       const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));

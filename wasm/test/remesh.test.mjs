@@ -137,8 +137,8 @@ test('features smaller than the size get triangles that fit them, unless they ar
   const plate = await make('box', { lo: [0, 0, 0], hi: [10, 10, 0.3] });
   const [kept, refined] = [await remesh(plate, { size: 1, features: 'keep' }), await remesh(plate, { size: 1 })];
   assert.deepEqual(await remesh(plate, { size: 1, features: 'refine' }), refined);
-  assert.equal(kept.smallFeatures.length, 0);
-  assert.deepEqual([...refined.smallFeatures.subarray(6, 8)], [0.3, 1.2], 'size and growth of the first');
+  assert.equal(kept.refinement.length, 0);
+  assert.deepEqual([...refined.refinement.subarray(6, 9)], [0.3, 1.2, 0], 'size, growth and radius of the first');
   assert.ok(kept.after.minAngleDeg < 30 && refined.after.minAngleDeg > 30, `${kept.after.minAngleDeg}, ${refined.after.minAngleDeg}`);
   assert.ok(refined.predicted > 3 * kept.predicted && refined.after.triangles > refined.predicted, `${refined.after.triangles} of ${refined.predicted}`);
   assert.deepEqual(await remesh(plate, { size: 1, minFeature: 0.4 }), kept);
@@ -146,11 +146,25 @@ test('features smaller than the size get triangles that fit them, unless they ar
     const { predicted } = features === 'keep' ? kept : refined;
     assert.equal(await predictTriangles(plate, { size: 1, features }), predicted);
   }
-  const [asRefined, asKept] = [await quality(refined, { size: 1 }), await quality({ ...refined, smallFeatures: undefined }, { size: 1 })];
+  const [asRefined, asKept] = [await quality(refined, { size: 1 }), await quality({ ...refined, refinement: undefined }, { size: 1 })];
   assert.ok(asRefined.edges.inBand > 0.97 && asKept.edges.inBand < 0.5, `${asRefined.edges.inBand}, ${asKept.edges.inBand}`);
   assert.equal(asRefined.all.below30, 0);
   const { message } = await meshError('RESULT_TOO_LARGE', () => remesh(plate, { size: 1, mostTriangles: 1000 }), MeshError);
   assert.match(message, /more than 1000; some for small features: features 'keep' leaves these as they are, minFeature those below it/);
+});
+
+test('no point is farther from the mesh given than the deviation allows', async () => {
+  const ball = await make('icosphere', { radius: 1, levels: 4 });
+  const [free, bound] = [await remesh(ball, { size: 0.3 }), await remesh(ball, { size: 0.3, maxDeviation: 0.01 })];
+  const farthest = async (fine) => {
+    const { deviation, all } = await quality(fine, { size: 0.3, reference: ball });
+    assert.equal(all.below30, 0);
+    return Math.max(deviation.toReference.max, deviation.fromReference.max);
+  };
+  assert.ok((await farthest(free)) > 0.01 && (await farthest(bound)) <= 0.01);
+  assert.ok(free.refinement.length === 0 && bound.refinement.length > 0 && bound.predicted > free.predicted);
+  assert.equal(bound.kept.length, 0);
+  assert.ok((await quality(bound, { size: 0.3 })).edges.inBand > 0.97);
 });
 
 test('where faces would come to cross, triangles stay', async () => {
@@ -221,6 +235,7 @@ test('what means nothing is refused by name', async () => {
     [cube(), { size: 1, features: 'merge' }, /features must be 'keep' or 'refine', not /],
     [cube(), { size: 1, features: 'keep', minFeature: 0.1 }, /minFeature does not go with features: 'keep'/],
     [cube(), { size: 1, minFeature: -1 }, /minFeature must be a length, not number -1/],
+    [cube(), { size: 1, maxDeviation: 0 }, /maxDeviation must be a positive length, not number 0/],
     [cube(), { size: 1, mostTriangles: 0 }, /mostTriangles must be a number, 1 to/],
     [cube(), { size: 1, onProgress: 5 }, /onProgress must be a function/],
     [cube(), { sizing: made, size: 1 }, /a sizing says all about sizes: leave out size/],

@@ -10,15 +10,12 @@
 #include <utility>
 
 #include "mortise/base/error.h"
-#include "mortise/geom/box_tree.h"
-#include "mortise/geom/length.h"
-#include "mortise/geom/placed_triangle.h"
 #include "mortise/mesh/topology.h"
+#include "mortise/remesh/closest_pieces.h"
 
 namespace mortise {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t no_group = std::numeric_limits<std::uint32_t>::max();
 
 /// What distances are measured from and to; only what is of one group is measured against each other.
@@ -32,81 +29,12 @@ struct Piece {
   std::uint32_t group = 0;
 };
 
-double square_of(const Vec3d& v) { return dot(v, v); }
-
-/// Triangles, or segments, of one group.
-class PieceGroup {
- public:
-  void add(const PlacedTriangle& placed, const Box3& box) {
-    placed_.push_back(placed);
-    boxes_.push_back(box);
-  }
-  void close() { tree_ = BoxTree(std::exchange(boxes_, {})); }
-
-  /// The distance to the closest one; infinite where there is none. The last answer is where the next search starts, so points near one
-  /// another are best asked for in turn; in another order a distance may differ in its last bits.
-  [[nodiscard]] double distance(const Vec3d& p) {
-    if (tree_.empty()) return infinity;
-    double least = square_to(last_, p);
-    stack_.assign(1, {0, 0});
-    while (!stack_.empty()) {
-      const auto [square, at] = stack_.back();
-      stack_.pop_back();
-      if (square >= least) continue;
-      const BoxTree::Node& node = tree_.nodes()[at];
-      if (node.is_leaf()) {
-        look_in(node, p, least);
-      } else {
-        push_children(node.first, p, least);
-      }
-    }
-    return std::sqrt(least);
-  }
-
- private:
-  /// A node to look at, and the square of the way to its box.
-  struct Waiting {
-    double square = 0;
-    std::uint32_t node = 0;
-  };
-
-  [[nodiscard]] double square_to(std::uint32_t piece, const Vec3d& p) const {
-    return square_of(in_space(placed_[piece], closest_in(placed_[piece], p).at) - p);
-  }
-
-  // The closer one on top.
-  void push_children(std::uint32_t first, const Vec3d& p, double least) {
-    Waiting closer{square_distance(tree_.nodes()[first].box, p), first}, other{square_distance(tree_.nodes()[first + 1].box, p), first + 1};
-    if (other.square < closer.square) std::swap(closer, other);
-    if (other.square < least) stack_.push_back(other);
-    if (closer.square < least) stack_.push_back(closer);
-  }
-
-  void look_in(const BoxTree::Node& leaf, const Vec3d& p, double& least) {
-    for (const BoxTree::Item& item : tree_.items_of(leaf)) {
-      if (square_distance(item.box, p) >= least) continue;
-      const double square = square_to(item.id, p);
-      if (square >= least) continue;
-      least = square;
-      last_ = item.id;
-    }
-  }
-
-  std::vector<PlacedTriangle> placed_;
-  std::vector<Box3> boxes_;
-  BoxTree tree_;
-  std::vector<Waiting> stack_;
-  std::uint32_t last_ = 0;
-};
-
-std::vector<PieceGroup> grouped(const std::vector<Piece>& pieces, std::size_t count, std::uint8_t corners) {
-  std::vector<PieceGroup> groups(count);
+std::vector<ClosestPieces> grouped(const std::vector<Piece>& pieces, std::size_t count, std::uint8_t corners) {
+  std::vector<ClosestPieces> groups(count);
   for (const Piece& piece : pieces) {
-    Box3 box;
-    for (std::size_t k = 0; k < corners; ++k) box.extend(piece.corners[k]);
-    groups[piece.group].add(place_triangle(piece.corners, corners), box);
+    groups[piece.group].add(piece.corners, corners);
   }
-  for (PieceGroup& group : groups) group.close();
+  for (ClosestPieces& group : groups) group.close();
   return groups;
 }
 
@@ -181,12 +109,12 @@ std::vector<Sample> samples_of_curves(const Side& side, bool with_middles) {
   return samples;
 }
 
-OneWayDistance measure(const std::vector<Sample>& samples, std::vector<PieceGroup> groups, const SizingProxy& sizes,
+OneWayDistance measure(const std::vector<Sample>& samples, std::vector<ClosestPieces> groups, const SizingProxy& sizes,
                        std::vector<double>& of_groups) {
   OneWayDistance found;
   of_groups.assign(groups.size(), 0);
   for (const Sample& sample : samples) {
-    const double distance = groups[sample.group].distance(sample.at);
+    const double distance = groups[sample.group].closest(sample.at).distance;
     if (distance == 0) continue;
     const double in_sizes = distance / sizes.size_at(sample.at);
     found.greatest = std::max(found.greatest, distance);

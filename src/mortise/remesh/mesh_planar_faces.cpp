@@ -138,7 +138,7 @@ class Front {
       const double height = std::min(radius + std::sqrt(radius * radius - half * half), to_middle);
       return 0.5 * (at(a) + at(b)) + height / (2 * half) * cross(normal_, along);
     };
-    const double beside = (size_of(a) + size_of(b)) / 2, size = (beside + coarseness_ * w_.proxy.size_at(over(beside))) / 2;
+    const double beside = (size_of(a) + size_of(b)) / 2, size = (beside + coarseness_ * w_.proxy->size_at(over(beside))) / 2;
     return delaunay_.try_insert(face_of(h), over(size), least_room * size);
   }
 

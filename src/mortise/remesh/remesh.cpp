@@ -7,6 +7,7 @@
 #include <string>
 
 #include "mortise/mesh/measures.h"
+#include "mortise/remesh/bound_deviation.h"
 #include "mortise/remesh/model_edge_chains.h"
 #include "mortise/remesh/new_crossings.h"
 #include "mortise/remesh/passes.h"
@@ -22,6 +23,7 @@ constexpr double good_enough = 0.75;                        // a mean ratio, abo
 constexpr double even_enough = 0.3;                         // a change of the size on a triangle, of the size
 constexpr int deepest = 8;                                  // quarters of quarters
 constexpr double triangles_per_square = 2.309401076758503;  // 4 / sqrt(3): equilateral ones of edge 1 on area 1
+constexpr std::uint32_t times_of_triangles = 20;            // before whole model faces stay
 
 // The integral of the count per area, over quarters as long as sizes vary much on them.
 double count_on(const Vec3d& a, const Vec3d& b, const Vec3d& c, const SizingProxy& sizes, int depth = 0) {
@@ -50,6 +52,7 @@ void check_rules(const SurfaceMesh& mesh, const RemeshRules& rules) {
   const bool is_fine = rules.shortest > 0 && rules.longest > rules.shortest && rules.longest < 1e3 && rules.worst_angle_deg >= 0 &&
                        rules.worst_angle_deg < 60;
   if (!is_fine) throw Error(ErrorCode::InvalidArgument, "remesh", "rules need 0 < shortest < longest < 1000 and 0 <= worst_angle_deg < 60");
+  if (!(rules.most_deviation > 0)) throw Error(ErrorCode::InvalidArgument, "remesh", "the most deviation must be positive");
 }
 
 // Triangles per model face; those outside the zone are there already. Or refuses.
@@ -89,6 +92,27 @@ void approach_count(WorkingMesh& w, const IdVector<ModelFaceId, double>& counts,
   swap_edges(w);
 }
 
+void smooth_and_swap(WorkingMesh& w) {
+  const std::vector<VertexId> vertices = vertices_inside_faces(w);
+  for (int k = 0; k < sweeps; ++k) smooth_vertices(w, vertices, good_enough);
+  swap_edges(w);
+  settle_on_reference(w);
+}
+
+void change_lengths(WorkingMesh& w, const RemeshRules& rules, double most_new) {
+  collapse_short_edges(w, rules.shortest, rules.longest);
+  swap_edges(w);
+  split_long_edges(w, rules.longest, most_new);
+  collapse_short_edges(w, rules.shortest, rules.longest);
+  swap_edges(w);
+}
+
+void change_worst(WorkingMesh& w, const RemeshRules& rules) {
+  w.is_done = IdVector<ModelFaceId, std::uint8_t>(w.brep.faces.size());
+  improve_worst_triangles(w, rules.worst_angle_deg, rules.longest, rules.last_rounds);
+  settle_on_reference(w);
+}
+
 /// From .. to of the whole way.
 struct ProgressSpan {
   double from = 0, to = 1;
@@ -106,22 +130,23 @@ void change_mesh(WorkingMesh& w, const RemeshRules& rules, const IdVector<ModelF
     swap_edges(w);
     resample_model_edges(w);
     if (round + 1 == rules.rounds.size()) mesh_planar_faces(w);
-    collapse_short_edges(w, rules.shortest, rules.longest);
-    swap_edges(w);
-    split_long_edges(w, rules.longest, most_new);
-    collapse_short_edges(w, rules.shortest, rules.longest);
-    swap_edges(w);
+    change_lengths(w, rules, most_new);
     if (w.coarseness > 1) approach_count(w, counts, rules.longest);
-    const std::vector<VertexId> vertices = vertices_inside_faces(w);
-    for (int k = 0; k < sweeps; ++k) smooth_vertices(w, vertices, good_enough);
-    swap_edges(w);
-    settle_on_reference(w);
+    smooth_and_swap(w);
   }
-  w.is_done = IdVector<ModelFaceId, std::uint8_t>(w.brep.faces.size());
   w.fraction = span.at(1 - 1 / all);
   report_progress(w.progress, "remesh", w.fraction);
-  improve_worst_triangles(w, rules.worst_angle_deg, rules.longest, rules.last_rounds);
-  settle_on_reference(w);
+  change_worst(w, rules);
+}
+
+// What deviates, in smaller sizes.
+void change_zone(WorkingMesh& w, const RemeshRules& rules) {
+  w.coarseness = 1;
+  report_progress(w.progress, "remesh", w.fraction);
+  resample_model_edges(w);
+  change_lengths(w, rules, splits_allowed * static_cast<double>(w.mesh.live_triangle_count()) + 1000);
+  smooth_and_swap(w);
+  change_worst(w, rules);
 }
 
 // The mesh without holes in its numbering.
@@ -155,30 +180,50 @@ RemeshResult compact(const WorkingMesh& w, const SurfaceMesh& given) {
   return result;
 }
 
-/// What an audit has taken back.
+/// What audits have taken back.
 struct Restraints {
   IdVector<ModelFaceId, std::uint8_t> stays_fine;
   std::vector<std::uint8_t> zone;  // as in RemeshRules
+  std::uint32_t times = 0;         // how often triangles had to stay
 };
 
-// Faces that crossed without coarse rounds already keep their triangles where they did and round that.
-void restrain(Restraints& restraints, const RemeshResult& result, const SurfaceMesh& given) {
+// Faces of these triangles do without coarse rounds; where they did already, the triangles stay, and those round them; at last whole faces.
+void restrain(Restraints& restraints, const std::vector<FaceId>& triangles, const SurfaceMesh& given, const ClassifiedBrep& model) {
+  const std::vector<ModelFaceId>& face_of = model.classification.face_of_triangle;
+  std::vector<std::uint8_t> is_marked(given.points.size(), 0);
+  const auto mark = [&](std::size_t t) {
+    for (const VertexId v : given.triangles[t]) is_marked[v.index()] = 1;
+  };
+  IdVector<ModelFaceId, std::uint8_t> is_marked_face(model.brep.faces.size());
   bool are_all_fine = true;
-  std::vector<std::uint8_t> crosses(given.points.size(), 0);
-  for (const SelfCrossing& crossing : result.new_crossings) {
-    for (const FaceId t : {crossing.a, crossing.b}) {
-      std::uint8_t& is_fine = restraints.stays_fine[result.classification.face_of_triangle[t.index()]];
-      are_all_fine = are_all_fine && is_fine != 0;
-      is_fine = 1;
-      for (const VertexId v : given.triangles[result.sources[t.index()].index()]) crosses[v.index()] = 1;
-    }
+  for (const FaceId t : triangles) {
+    std::uint8_t& is_fine = restraints.stays_fine[face_of[t.index()]];
+    are_all_fine = are_all_fine && is_fine != 0;
+    is_fine = 1;
+    is_marked_face[face_of[t.index()]] = 1;
+    mark(t.index());
   }
   if (!are_all_fine) return;
   if (restraints.zone.empty()) restraints.zone.assign(given.triangles.size(), 1);
+  const bool are_whole_faces = restraints.times++ >= times_of_triangles;
+  for (std::size_t t = 0; are_whole_faces && t < given.triangles.size(); ++t) {
+    if (is_marked_face[face_of[t]] != 0) mark(t);
+  }
   for (std::size_t t = 0; t < given.triangles.size(); ++t) {
     const Triangle& corners = given.triangles[t];
-    if (std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return crosses[v.index()] != 0; })) restraints.zone[t] = 0;
+    if (std::any_of(corners.begin(), corners.end(), [&](VertexId v) { return is_marked[v.index()] != 0; })) restraints.zone[t] = 0;
   }
+}
+
+// Triangles of the given mesh where faces cross or are too far apart.
+std::vector<FaceId> where_spoilt(const RemeshResult& result, const DeviatingPlaces& deviating) {
+  std::vector<FaceId> triangles;
+  for (const SelfCrossing& crossing : result.new_crossings) {
+    for (const FaceId t : {crossing.a, crossing.b}) triangles.push_back(result.sources[t.index()]);
+  }
+  for (const PlaceBeyond& place : deviating.of_mesh) triangles.push_back(place.closest);
+  for (const PlaceBeyond& place : deviating.of_given) triangles.push_back(place.triangle);
+  return triangles;
 }
 
 std::vector<FaceId> kept_by(const Restraints& restraints, const std::vector<std::uint8_t>& zone) {
@@ -234,6 +279,7 @@ RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const 
   check_rules(mesh, rules);
   const IdVector<ModelFaceId, double> counts = foretell_counts(mesh, model, sizes, rules);
   const bool is_any_coarse = std::any_of(rules.rounds.begin(), rules.rounds.end(), [](double coarse) { return coarse > 1; });
+  const bool is_bounded = rules.most_deviation < std::numeric_limits<double>::infinity();
   Restraints restraints{{}, rules.zone};
   restraints.stays_fine.resize(model.brep.faces.size(), is_any_coarse ? 0 : 1);
   double left = 1;  // of the progress
@@ -242,11 +288,20 @@ RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const 
     working.progress = rules.progress;
     working.stays_fine = restraints.stays_fine;
     change_mesh(working, rules, counts, {1 - left, 1 - left / 2});
+    std::vector<SizeSource> refinement;
+    DeviatingPlaces deviating;
+    if (is_bounded) {
+      const FacedMesh given{mesh, model.classification.face_of_triangle};
+      const auto remesh_zone = [&](WorkingMesh& w) { change_zone(w, rules); };
+      deviating = bound_deviation(working, given, rules.most_deviation, remesh_zone, refinement);
+    }
     RemeshResult result = compact(working, mesh);
     result.kept = kept_by(restraints, rules.zone);
+    result.refinement = std::move(refinement);
     if (rules.audits > 0) result.new_crossings = find_new_crossings(result.mesh, result.classification.face_of_triangle, mesh, model);
-    if (result.new_crossings.empty() || audit >= rules.audits) return result;
-    restrain(restraints, result, mesh);
+    const bool is_enough = result.new_crossings.empty() || audit >= rules.audits;
+    if (is_enough && deviating.empty()) return result;
+    restrain(restraints, where_spoilt(result, deviating), mesh, model);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "mortise/base/progress.h"
@@ -29,7 +30,9 @@ struct RemeshRules {
   std::uint32_t last_rounds = 10;                   ///< on the worst triangles
   double worst_angle_deg = 34;                      ///< those with an angle below this
   std::uint32_t audits = 6;                         ///< how often it may begin anew when faces came to cross; 0: nobody looks
-  double most_triangles = 2e7;                      ///< a size that asks for more is refused
+  double most_deviation = std::numeric_limits<double>::infinity();  ///< a length: no point of either mesh is farther from the other's
+                                                                    ///< triangles of its model face
+  double most_triangles = 2e7;                                      ///< a size that asks for more is refused
   std::vector<std::uint8_t> zone;  ///< empty, or per triangle: 1 when it may change; all others stay as they are, byte for byte
   ProgressCallback progress;
 };
@@ -43,7 +46,8 @@ struct RemeshResult {
   SurfaceMesh mesh;  ///< labels and walls are those of the triangles it lies on; values at vertices and corners are left out
   Classification classification;
   std::vector<FaceId> sources;              ///< per triangle: the triangle of the given mesh its middle is closest to
-  std::vector<FaceId> kept;                 ///< triangles of the given mesh that stayed because faces came to cross there
+  std::vector<FaceId> kept;                 ///< triangles of the given mesh that stayed because faces came to cross or to deviate there
+  std::vector<SizeSource> refinement;       ///< that the bound on the deviation needed beside the sizes wanted
   std::vector<SelfCrossing> new_crossings;  ///< that are left after the last audit
 };
 
@@ -58,7 +62,8 @@ struct RemeshResult {
 
 /// Every vertex stays on its model entity, every new one lies on one; model vertices stay as they are. Angles come out above 30 degrees but
 /// where model edges meet at small angles or lie closer together than the size. Where faces come to cross that did not, model faces are
-/// remeshed without coarse rounds; where they cross still, triangles stay as they were.
+/// remeshed without coarse rounds; where they cross still, triangles stay as they were. Where the deviation is beyond its bound, triangles
+/// become smaller; where that does not help, it is as with crossings, and at last whole model faces stay as they were.
 ///
 /// @param model  of the mesh; seams are edges like others, so without them there is more to change
 /// @param normals  as in build_brep

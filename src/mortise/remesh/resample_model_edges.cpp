@@ -132,7 +132,7 @@ void space_evenly(WorkingMesh& w, VertexBall& ball, ModelEdgeId edge, const Chai
     if (fraction == 0) continue;
     w.arcs[v.index()] = arc(fraction);
     w.mesh.points[v.index()] = w.reference.point_at(edge, arc(fraction));
-    w.sizes[v.index()] = w.proxy.size_at(w.mesh.points[v.index()]);
+    w.sizes[v.index()] = w.proxy->size_at(w.mesh.points[v.index()]);
   }
 }
 

@@ -77,7 +77,7 @@ WorkingMesh::WorkingMesh(const SurfaceMesh& given, const ClassifiedBrep& model, 
     : mesh(given, model),
       reference(given, model, normals),
       brep(model.brep),
-      proxy(sizing),
+      proxy(&sizing),
       sizes(sizing.sizes_at(given.points)),
       arcs(given.points.size()),
       nears(given.points.size()),
@@ -155,7 +155,7 @@ void add_values(WorkingMesh& w, VertexId v, double arc, std::uint32_t near) {
   w.sizes.resize(w.mesh.vertex_count());
   w.arcs.resize(w.mesh.vertex_count());
   w.nears.resize(w.mesh.vertex_count());
-  w.sizes[v.index()] = w.proxy.size_at(w.mesh.points[v.index()]);
+  w.sizes[v.index()] = w.proxy->size_at(w.mesh.points[v.index()]);
   w.arcs[v.index()] = arc;
   w.nears[v.index()] = near;
 }
@@ -172,7 +172,7 @@ void move_vertex(WorkingMesh& w, VertexId v, const SurfacePlace& place) {
   count_change(w);
   w.mesh.points[v.index()] = place.point;
   w.nears[v.index()] = place.triangle;
-  w.sizes[v.index()] = w.proxy.size_at(place.point);
+  w.sizes[v.index()] = w.proxy->size_at(place.point);
 }
 
 VertexId split_at_middle(WorkingMesh& w, HalfEdge h) {

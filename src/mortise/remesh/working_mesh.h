@@ -25,7 +25,7 @@ struct WorkingMesh {
   EditMesh mesh;
   ReferenceSurface reference;
   const Brep& brep;
-  const SizingProxy& proxy;
+  const SizingProxy* proxy;
   std::vector<double> sizes;         ///< per vertex: the size wanted there
   std::vector<double> arcs;          ///< per vertex inside a model edge: the length from its start
   std::vector<std::uint32_t> nears;  ///< per vertex inside a face: a triangle of the reference close by
@@ -40,8 +40,8 @@ struct WorkingMesh {
   IdVector<ModelFaceId, std::uint8_t> awaits_front;  ///< per model face: 1 when it is to be meshed anew: till then it is coarse inside
   IdVector<ModelFaceId, std::uint8_t> is_done;       ///< per model face: 1 when only its vertices may still move
 
-  std::vector<std::uint8_t> is_frozen;  ///< per triangle of the given mesh: outside the zone; no new one ever is
-  std::vector<std::uint8_t> is_fixed;   ///< per vertex of the given mesh: of a frozen triangle, or a tip
+  std::vector<std::uint8_t> is_frozen;  ///< per triangle, at first of the given mesh: outside the zone; beyond its end none is
+  std::vector<std::uint8_t> is_fixed;   ///< per vertex likewise: of a frozen triangle, or a tip
 
   [[nodiscard]] double coarseness_at_edges_of(ModelFaceId face) const { return stays_fine[face] != 0 ? 1 : coarseness; }
   [[nodiscard]] double coarseness_of(ModelFaceId face) const {

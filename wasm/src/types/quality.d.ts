@@ -89,10 +89,10 @@ export type QualityOptions = RemeshSizes & {
 } & ({ reference?: MeshInput; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly MeshInput[] });
 
 /** A mesh, or what `remesh` answered. */
-export type JudgedMesh = MeshInput | (Pick<RemeshResult, 'mesh' | 'modelFaces' | 'modelEdges'> & Partial<Pick<RemeshResult, 'smallFeatures'>>);
+export type JudgedMesh = MeshInput | (Pick<RemeshResult, 'mesh' | 'modelFaces' | 'modelEdges'> & Partial<Pick<RemeshResult, 'refinement'>>);
 
 /**
- * How good the triangles of a mesh are for the sizes wanted: of any mesh, or of what `remesh` answered, which knows its model and the sizes of its small features. With a `reference`,
+ * How good the triangles of a mesh are for the sizes wanted: of any mesh, or of what `remesh` answered, which knows its model and where its sizes had to be smaller. With a `reference`,
  * say the mesh that was remeshed (and its `operands`, as for remesh, when it is a result), how far the two are apart.
  */
 export function quality(mesh: JudgedMesh, options: QualityOptions): Promise<QualityReport>;

@@ -44,6 +44,11 @@ export type RemeshOptions = PredictOptions & {
   zone?: ArrayLike<number>;
   /** Of a result: only triangles in so many layers round the intersection graph may change. */
   layers?: number;
+  /**
+   * No point of the new surface is farther from the old one than this, nor the other way round, model face by model face: proven, not sampled. Triangles
+   * become smaller where it takes that; where that does not help, triangles of the mesh given stay (`kept`). Default: no bound.
+   */
+  maxDeviation?: number;
   /** Sizes that ask for more triangles are refused, RESULT_TOO_LARGE. Default 20 million. */
   mostTriangles?: number;
   /** `paper`: edges are collapsed below the size and split above twice the size, in three rounds; they come out 1.4 sizes long. */
@@ -83,9 +88,10 @@ export interface RemeshResult {
   modelFaces: Uint32Array;
   /** Two vertices for each mesh edge that lies on a model edge. */
   modelEdges: Uint32Array;
-  /** The segments that ask for sizes small features need, eight numbers each: from, to, size, growth. `quality` judges by them too. */
-  smallFeatures: Float64Array;
-  /** Triangles of the mesh given that stay because faces would have come to cross there. */
+  /** Segments, and points, where sizes had to be smaller for small features or `maxDeviation`, nine numbers each: from, to, size, growth, radius. `quality`
+   *  judges by them too. */
+  refinement: Float64Array;
+  /** Triangles of the mesh given that stay because faces would have come to cross there, or to be too far away. */
   kept: Uint32Array;
   /** Pairs of triangles that cross where none did before, left after the last audit. */
   newCrossings: number;

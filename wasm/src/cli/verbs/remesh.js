@@ -12,7 +12,7 @@ import { sizeNumbers, sizeOptionsOf, sizesHelp, sizesOf } from '../size_options.
 
 /** Options that are one of some words. */
 const words = ['features', 'preset', 'mesher'];
-const numbers = { ...sizeNumbers, 'most-triangles': 'mostTriangles', 'min-feature': 'minFeature' };
+const numbers = { ...sizeNumbers, 'most-triangles': 'mostTriangles', 'max-deviation': 'maxDeviation', 'min-feature': 'minFeature' };
 
 /** @param {string} when @param {TriangleShapes} shapes */
 function shapesText(when, { triangles, minAngleDeg, maxAngleDeg }) {
@@ -24,7 +24,7 @@ function shapesText(when, { triangles, minAngleDeg, maxAngleDeg }) {
 /** @param {number} kept @param {number} newCrossings */
 function auditNotes(kept, newCrossings) {
   return [
-    ...(kept > 0 ? [`${kept} triangles stay: faces would have come to cross there`] : []),
+    ...(kept > 0 ? [`${kept} triangles stay: faces would have come to cross there, or to be too far away`] : []),
     ...(newCrossings > 0 ? [`${newCrossings} pairs of triangles cross that did not before`] : []),
   ];
 }
@@ -40,7 +40,8 @@ export const remeshVerb = {
 
 The same model (faces, edges and corners by angles and labels) with triangles of the size wanted. Corners stay, edges stay edges.
 
-${sizesHelp}  --most-triangles N     sizes that ask for more are refused (default 20 million)
+${sizesHelp}  --max-deviation D      no point of either surface is farther from the other than this: triangles become smaller, or stay, where it takes that
+  --most-triangles N     sizes that ask for more are refused (default 20 million)
   --features NAME        refine (default): triangles as small as features below the size take to be good ones; keep
   --min-feature H        features below this stay as they are (default 1e-6 of the box round the mesh)
   --preset NAME          default; paper: edges are collapsed below H and split above 2 H
