@@ -19,6 +19,7 @@
 #include "support/mesh_checks.h"
 #include "support/partition_checks.h"
 #include "support/random_solids.h"
+#include "support/remesh_scenes.h"
 #include "support/self_crossing_oracle.h"
 #include "support/test_scale.h"
 
@@ -117,13 +118,6 @@ double volume_of_operand(const BooleanResult& result, std::uint32_t operand) {
     if (r.operands == std::vector<std::uint32_t>{operand}) sum += r.volume;
   }
   return sum;
-}
-
-/// A turret on a round base with a barrel, standing on z = 0.
-SurfaceMesh gun() {
-  const SurfaceMesh base = make_cylinder(0.6, 0.5, 24), house = box({-0.5, -0.4, 0.375}, {0.5, 0.4, 1});
-  const SurfaceMesh barrel = transform(transform(make_cylinder(0.1, 2, 12), rotation(Axis::Y, 90)), translation({0.25, 0.03125, 0.6875}));
-  return evaluate(Operation::Union, {base, house, barrel}).mesh;
 }
 
 /// A hull 12 long with a flat deck at z = 1.5 of many faces.

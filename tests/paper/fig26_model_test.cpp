@@ -11,34 +11,17 @@
 #include "mortise/brep/validate_brep.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
-#include "mortise/mesh/shapes.h"
 #include "mortise/mesh/topology.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
 #include "support/data.h"
 #include "support/models.h"
+#include "support/remesh_scenes.h"
 
 using namespace mortise;
 using namespace mortise::test;
 
 namespace {
-
-constexpr Vec3d torus_centre{0.7, 0.1, 0.3};
-constexpr double bend = 0.05;  // y and z of the line where floor and wall meet
-
-SurfaceMesh rectangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& d) {
-  return make_mesh({a, b, c, d}, {{0, 1, 2}, {0, 2, 3}});
-}
-
-/// The floor z = 0.05 behind y = 0.05, the wall under its front edge.
-SurfaceMesh corner_sheet() {
-  const Vec3d left{-1.6, bend, bend}, right{1.6, bend, bend};
-  return evaluate(Operation::Union, {rectangle(left, right, {1.6, 2.05, bend}, {-1.6, 2.05, bend}),
-                                     rectangle(left, right, {1.6, bend, -1.6}, {-1.6, bend, -1.6})})
-      .mesh;
-}
-
-std::vector<SurfaceMesh> made_scene() { return {make_icosphere(1, 3), moved(make_torus(1, 0.4, 48, 24), torus_centre), corner_sheet()}; }
 
 // ---- Regions, by points of a grid
 
@@ -78,13 +61,13 @@ class Grid {
     return {at(p[0]), at(p[1]), at(p[2])};
   }
   static unsigned solids_at(const Vec3d& p) {
-    const Vec3d q = p - torus_centre;
+    const Vec3d q = p - ring_centre;
     const double to_ring = std::sqrt(q.x * q.x + q.y * q.y) - 1;
     return (dot(p, p) < 1 ? 1U : 0U) + (to_ring * to_ring + q.z * q.z < 0.16 ? 2U : 0U);
   }
   static bool parts(const Vec3d& p, const Vec3d& q) {
-    const bool floor = p.y > bend && q.y > bend && (p.z < bend) != (q.z < bend);
-    const bool wall = p.z < bend && q.z < bend && (p.y < bend) != (q.y < bend);
+    const bool floor = p.y > corner_of_sheet && q.y > corner_of_sheet && (p.z < corner_of_sheet) != (q.z < corner_of_sheet);
+    const bool wall = p.z < corner_of_sheet && q.z < corner_of_sheet && (p.y < corner_of_sheet) != (q.y < corner_of_sheet);
     return (floor || wall) && p.x < 1.6 && q.x < 1.6;  // the torus reaches round its right edge, and nothing round the others
   }
   static void join(const Place& a, const Place& b, UnionFind& sets) {
@@ -110,11 +93,12 @@ std::ostream& operator<<(std::ostream& out, const Counts& c) {
 std::size_t surface_of(const BooleanResult& result, std::size_t t, std::size_t floor_axis) {
   const std::uint32_t operand = result.provenance.source_operand[t];
   const Triangle& c = result.mesh.triangles[t];
-  const auto is_on_floor = [&](VertexId v) { return result.mesh.points[v.index()][floor_axis] == bend; };
+  const auto is_on_floor = [&](VertexId v) { return result.mesh.points[v.index()][floor_axis] == corner_of_sheet; };
   return operand + (operand == 2 && is_on_floor(c[0]) && is_on_floor(c[1]) && is_on_floor(c[2]) ? 1 : 0);
 }
 
-/// Faces end where other than two facets meet and at the bend; edges end where other than two of these do. A closed edge has one vertex.
+/// Faces end where other than two facets meet and at the corner of the sheet; edges end where other than two of these do. A closed edge has
+/// one vertex.
 Counts count_on_facets(const BooleanResult& result, std::size_t floor_axis) {
   const MeshTopology topology = build_topology(result.mesh);
   UnionFind faces(result.mesh.triangles.size()), edges(topology.edges.size());
@@ -163,7 +147,7 @@ double border_of(const ResultModel& m) {
 }  // namespace
 
 TEST_CASE("Fig. 26: sphere, torus and corner sheet have the model their facets have", "[paper][brep]") {
-  const ResultModel m(Operation::Partition, made_scene(), plain_rules());
+  const ResultModel m(Operation::Partition, ball_ring_and_corner_sheet(), plain_rules());
   const Brep& brep = m.model.brep;
   CHECK(find_faults(m.boolean.mesh, m.model) == std::vector<std::string>());
   CHECK(Counts{brep.vertex_count, brep.edges.size(), brep.faces.size()} == count_on_facets(m.boolean, 2));
@@ -180,7 +164,7 @@ TEST_CASE("Fig. 26: sphere, torus and corner sheet have the model their facets h
 }
 
 TEST_CASE("Fig. 26: the model is sound with corners and seams too, in any order of the operands", "[paper][brep]") {
-  std::vector<SurfaceMesh> scene = made_scene();
+  std::vector<SurfaceMesh> scene = ball_ring_and_corner_sheet();
   const Counts counts = count_on_facets(ResultModel(Operation::Partition, scene).boolean, 2);
   for (const Seams seams : {Seams::Annulus, Seams::Disc}) {
     BrepRules rules;

@@ -22,6 +22,7 @@
 #include "support/catch.h"
 #include "support/equal_bits.h"
 #include "support/random_solids.h"
+#include "support/remesh_scenes.h"
 #include "support/test_scale.h"
 
 using namespace mortise;
@@ -29,39 +30,14 @@ using namespace mortise::test;
 
 namespace {
 
-struct PlaneScene {
-  SurfaceMesh mesh;
-  FaceNormals normals;
-  ClassifiedBrep model;
-};
-
-PlaneScene scene_of(SurfaceMesh mesh, FaceNormals normals, double edge_angle_deg = 45) {
-  BrepRules rules;
-  rules.seams = Seams::None;
-  rules.edge_angle_deg = edge_angle_deg;
-  ClassifiedBrep model = build_brep(mesh, rules, normals);
-  return {std::move(mesh), std::move(normals), std::move(model)};
-}
-
-PlaneScene scene_of(const SurfaceMesh& mesh, double edge_angle_deg = 45) {
-  return scene_of(mesh, measure_normals(mesh, build_topology(mesh)), edge_angle_deg);
-}
-
-PlaneScene scene_of(Operation operation, const std::vector<SurfaceMesh>& operands, double edge_angle_deg = 45) {
-  BooleanResult result = evaluate_boolean(operation, pointers_to(operands));
-  std::vector<FaceNormals> normals;
-  for (const SurfaceMesh& operand : operands) normals.push_back(measure_normals(operand, build_topology(operand)));
-  return scene_of(std::move(result.mesh), source_normals(result.provenance, normals), edge_angle_deg);
-}
-
-RemeshResult meshed(const PlaneScene& scene, const SizingProxy& sizes, Mesher mesher = Mesher::Frontal) {
+RemeshResult meshed(const ModelScene& scene, const SizingProxy& sizes, Mesher mesher = Mesher::Frontal) {
   RemeshRules rules;
   rules.mesher = mesher;
   return remesh(scene.mesh, scene.model, scene.normals, sizes, rules);
 }
 
 // The model, the surface and what is free of the model's own small angles.
-QualityReport check_meshed(const PlaneScene& scene, const RemeshResult& result, const SizingProxy& sizes) {
+QualityReport check_meshed(const ModelScene& scene, const RemeshResult& result, const SizingProxy& sizes) {
   const ClassifiedBrep model{scene.model.brep, result.classification};
   CHECK(find_faults(result.mesh, model).empty());
   CHECK_NOTHROW(EditMesh(result.mesh, model).check());
@@ -71,37 +47,6 @@ QualityReport check_meshed(const PlaneScene& scene, const RemeshResult& result, 
   CHECK(report.folds == 0);
   CHECK(report.free.least_angle_deg >= 33);
   return report;
-}
-
-// Three cylinders of 64 sides through a plate.
-struct Drilling {
-  Vec3d centre;
-  double radius;
-};
-const std::vector<Drilling> drillings{{{0.8, 0.8, 0}, 0.5}, {{2.2, 1.9, 0}, 0.3}, {{3.2, 0.9, 0}, 0.6}};
-constexpr std::uint32_t sides = 64;
-
-std::vector<SurfaceMesh> plate_and_drills() {
-  std::vector<SurfaceMesh> solids{box({0, 0, 0}, {4, 3, 1})};
-  for (const Drilling& d : drillings) solids.push_back(moved(make_cylinder(d.radius, 2, sides), d.centre - Vec3d{0, 0, 0.5}));
-  return solids;
-}
-
-// Every side of a hole asks for its own length.
-std::vector<SizeSource> rims(double growth) {
-  std::vector<SizeSource> sources;
-  for (const Drilling& d : drillings) {
-    const auto corner = [&](std::uint32_t k, double z) {
-      return d.centre + Vec3d{d.radius * trig::cos_deg(360.0 * k / sides), d.radius * trig::sin_deg(360.0 * k / sides), z};
-    };
-    for (std::uint32_t k = 0; k < sides; ++k) {
-      for (const double z : {0.0, 1.0}) {
-        const Vec3d a = corner(k, z), b = corner(k + 1, z);
-        sources.push_back(segment_source(a, b, length(b - a), growth));
-      }
-    }
-  }
-  return sources;
 }
 
 // Of a polygon, z = 0 or put on a plane of no axis.
@@ -126,7 +71,7 @@ std::vector<std::array<double, 2>> star_shape() {
 }
 
 // What the front leaves before triangles are smoothed.
-WorkingMesh with_front(const PlaneScene& scene, const SizingProxy& sizes) {
+WorkingMesh with_front(const ModelScene& scene, const SizingProxy& sizes) {
   WorkingMesh w(scene.mesh, scene.model, scene.normals, sizes, {});
   await_front(w);
   resample_model_edges(w);
@@ -151,38 +96,10 @@ std::size_t count_live(const WorkingMesh& w) {
 
 }  // namespace
 
-// From each triangle to each neighbour, by the lengths of equilateral triangles as large; ascending.
-std::vector<double> growths_of(const SurfaceMesh& mesh) {
-  const MeshTopology topology = build_topology(mesh);
-  const auto edge = [&](FaceId t) {
-    const auto [a, b, c] = mesh.triangles[t.index()];
-    return std::sqrt(triangle_area(mesh.points[a.index()], mesh.points[b.index()], mesh.points[c.index()]));
-  };
-  std::vector<double> growths;
-  for (std::size_t e = 0; e < topology.edges.size(); ++e) {
-    const std::span<const HalfEdge> uses = topology.uses_of(MeshEdgeId(e));
-    if (uses.size() != 2) continue;
-    const double one = edge(face_of(uses[0])), other = edge(face_of(uses[1]));
-    growths.push_back(std::max(one / other, other / one));
-  }
-  std::sort(growths.begin(), growths.end());
-  return growths;
-}
-
-// The triangles of one model face.
-SurfaceMesh part_of(const RemeshResult& result, ModelFaceId face) {
-  SurfaceMesh part;
-  part.points = result.mesh.points;
-  for (std::size_t t = 0; t < result.mesh.triangles.size(); ++t) {
-    if (result.classification.face_of_triangle[t] == face) part.triangles.push_back(result.mesh.triangles[t]);
-  }
-  return part;
-}
-
 TEST_CASE("Fig. 27h: faces with three holes are meshed by the front, sizes grow from the holes", "[remesh]") {
-  const PlaneScene scene = scene_of(Operation::Subtract, plate_and_drills(), 1);
+  const ModelScene scene = scene_of(Operation::Subtract, plate_and_drills(), without_seams(1));
   constexpr double growth = 1.2;
-  const SizingProxy sizes(rims(growth), {.global = 0.5});
+  const SizingProxy sizes(sources_at_rims(growth), {.global = 0.5});
   const RemeshResult result = meshed(scene, sizes);
   const QualityReport report = check_meshed(scene, result, sizes);
   const std::vector<double> growths = growths_of(result.mesh);
@@ -194,7 +111,7 @@ TEST_CASE("Fig. 27h: faces with three holes are meshed by the front, sizes grow 
     ++with_four_loops;
     const SurfaceMesh face = part_of(result, ModelFaceId(f));
     double area = 12;
-    for (const Drilling& d : drillings) area -= sides / 2.0 * d.radius * d.radius * trig::sin_deg(360.0 / sides);
+    for (const Drilling& d : drillings) area -= sides_of_drill / 2.0 * d.radius * d.radius * trig::sin_deg(360.0 / sides_of_drill);
     CHECK(surface_area(face) == Approx(area).epsilon(1e-12));
     std::vector<VertexId> corners;
     for (const Triangle& t : face.triangles) corners.insert(corners.end(), t.begin(), t.end());
@@ -218,8 +135,8 @@ double histogram_distance(const LengthMarks& a, const LengthMarks& b) {
 }
 
 TEST_CASE("Fig. 26d: by the same sizes the front makes edges as long as the local mesher does", "[remesh]") {
-  const PlaneScene scene = scene_of(Operation::Subtract, plate_and_drills());
-  for (const SizingProxy& sizes : {SizingProxy(rims(1.2), {.global = 0.5}), SizingProxy({}, {.global = 0.05})}) {
+  const ModelScene scene = scene_of(Operation::Subtract, plate_and_drills());
+  for (const SizingProxy& sizes : {SizingProxy(sources_at_rims(1.2), {.global = 0.5}), SizingProxy({}, {.global = 0.05})}) {
     const RemeshResult by_changes = meshed(scene, sizes, Mesher::Local);
     const QualityReport local = measure_quality(by_changes.mesh, {scene.model.brep, by_changes.classification}, sizes);
     const QualityReport frontal = check_meshed(scene, meshed(scene, sizes), sizes);
@@ -231,7 +148,7 @@ TEST_CASE("Fig. 26d: by the same sizes the front makes edges as long as the loca
 }
 
 TEST_CASE("walls between regions are meshed by the front once", "[remesh]") {
-  const PlaneScene scene = scene_of(Operation::Partition, {box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.25, 0.25}, {2, 0.75, 1.5})});
+  const ModelScene scene = scene_of(Operation::Partition, {box({0, 0, 0}, {1, 1, 1}), box({0.5, 0.25, 0.25}, {2, 0.75, 1.5})});
   const SizingProxy sizes({}, {.global = 0.05});
   const RemeshResult result = meshed(scene, sizes);
   const QualityReport report = check_meshed(scene, result, sizes);
@@ -245,7 +162,7 @@ TEST_CASE("walls between regions are meshed by the front once", "[remesh]") {
 TEST_CASE("faces of any shape are meshed by the front", "[remesh]") {
   for (const bool is_tilted : {false, true}) {
     for (const auto& corners : {u_shape, star_shape()}) {
-      const PlaneScene scene = scene_of(polygon_sheet(corners, is_tilted));
+      const ModelScene scene = scene_of(polygon_sheet(corners, is_tilted));
       REQUIRE(scene.model.brep.faces.size() == 1);
       for (const double size : {0.4, 0.1, 0.03}) {
         const SizingProxy sizes({}, {.global = size});
@@ -263,16 +180,16 @@ TEST_CASE("faces of any shape are meshed by the front", "[remesh]") {
 
 TEST_CASE("edges and vertices of the model inside a face stay in it", "[remesh]") {
   // A wall stands on a part of a square; a tetrahedron on another square touches its middle.
-  const PlaneScene slit =
+  const ModelScene slit =
       scene_of(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.3, 0.5, 0}, {0.7, 0.5, 0}, {0.3, 0.5, 1}, {0.7, 0.5, 1}},
                          {{0, 1, 5}, {0, 5, 4}, {0, 4, 3}, {1, 2, 5}, {2, 3, 5}, {3, 4, 5}, {4, 5, 7}, {4, 7, 6}}));
-  const PlaneScene touched =
+  const ModelScene touched =
       scene_of(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.45, 0.55, 0}, {0.4, 0.4, 1}, {0.6, 0.4, 1}, {0.5, 0.7, 1}},
                          {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}, {4, 6, 5}, {4, 7, 6}, {4, 5, 7}, {5, 6, 7}}));
   CHECK(slit.model.brep.faces.size() == 2);
   CHECK(touched.model.brep.faces.size() > 1);
   const SizingProxy sizes({}, {.global = 0.08});
-  for (const PlaneScene* scene : {&slit, &touched}) {
+  for (const ModelScene* scene : {&slit, &touched}) {
     const RemeshResult result = meshed(*scene, sizes);
     check_meshed(*scene, result, sizes);
     CHECK(surface_area(result.mesh) == Approx(surface_area(scene->mesh)).epsilon(1e-12));
@@ -290,13 +207,13 @@ TEST_CASE("sizes above that of a face leave the vertices on its border only", "[
     CHECK(finer.triangles.size() > 500);
     CHECK(meshed(scene_of(finer), sizes).mesh.triangles.size() == corners.size() - 2);
   }
-  const PlaneScene drilled = scene_of(Operation::Subtract, plate_and_drills(), 1);
+  const ModelScene drilled = scene_of(Operation::Subtract, plate_and_drills(), without_seams(1));
   std::size_t on_plate = 0;
   const RemeshResult result = meshed(drilled, sizes);
   for (const Triangle& t : result.mesh.triangles) {
     on_plate += std::all_of(t.begin(), t.end(), [&](VertexId v) { return result.mesh.points[v.index()].z == 0; }) ? 1 : 0;
   }
-  CHECK(on_plate == 4 + 3 * sides + 2 * 3 - 2);
+  CHECK(on_plate == 4 + 3 * sides_of_drill + 2 * 3 - 2);
 }
 
 TEST_CASE("the front leaves Delaunay triangles of random polygons", "[remesh]") {
@@ -311,7 +228,7 @@ TEST_CASE("the front leaves Delaunay triangles of random polygons", "[remesh]") 
                    angle = 360 * (static_cast<double>(k) + random.between(0, 0.5)) / static_cast<double>(n);
       corners.push_back({radius * trig::cos_deg(angle), radius * trig::sin_deg(angle)});
     }
-    const PlaneScene scene = scene_of(polygon_sheet(corners, is_tilted), 0.01);
+    const ModelScene scene = scene_of(polygon_sheet(corners, is_tilted), without_seams(0.01));
     const SizingProxy sizes(std::vector{point_source({0.2, 0.1, 0}, random.octaves(-7, -2), random.between(1.05, 1.5))},
                             {.global = random.octaves(-5, 1)});
     if (predict_triangle_count(scene.mesh, sizes) > 5000) continue;
@@ -348,7 +265,7 @@ TEST_CASE("results of random operations are meshed by the front to sound models"
     RandomSolids random(seed);
     const std::vector<SurfaceMesh> solids{random.next_of_all_kinds(), random.next_of_all_kinds()};
     const Operation operation = random.once_in(2) ? Operation::Union : Operation::Partition;
-    const PlaneScene scene = scene_of(operation, solids);
+    const ModelScene scene = scene_of(operation, solids);
     if (scene.mesh.triangles.empty() || !find_self_crossings(scene.mesh).empty()) continue;
     const RemeshResult result = meshed(scene, SizingProxy({}, {.global = random.octaves(-2, 1)}));
     CHECK(find_faults(result.mesh, {scene.model.brep, result.classification}).empty());
@@ -358,7 +275,7 @@ TEST_CASE("results of random operations are meshed by the front to sound models"
 }
 
 TEST_CASE("faces with triangles outside the zone are not for the front, all others are", "[remesh]") {
-  const PlaneScene scene = scene_of(box({0, 0, 0}, {1, 1, 1}));
+  const ModelScene scene = scene_of(box({0, 0, 0}, {1, 1, 1}));
   RemeshRules rules;
   rules.mesher = Mesher::Frontal;
   rules.zone.assign(scene.mesh.triangles.size(), 1);
@@ -378,7 +295,7 @@ TEST_CASE("faces with triangles outside the zone are not for the front, all othe
 }
 
 TEST_CASE("vertices go into Delaunay triangles where there is room, and out again", "[remesh]") {
-  const PlaneScene scene = scene_of(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}));
+  const ModelScene scene = scene_of(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}}, {{0, 1, 2}, {0, 2, 3}}));
   const SizingProxy sizes({}, {.global = 1});
   WorkingMesh w(scene.mesh, scene.model, scene.normals, sizes, {});
   PlanarDelaunay delaunay(w);
@@ -401,7 +318,7 @@ TEST_CASE("vertices go into Delaunay triangles where there is room, and out agai
 }
 
 TEST_CASE("a face with a triangle that turns the wrong way round is not for the front", "[remesh]") {
-  const PlaneScene scene =
+  const ModelScene scene =
       scene_of(make_mesh({{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}, {0.5, 0.5, 0}}, {{0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}));
   const SizingProxy sizes({}, {.global = 0.1});
   WorkingMesh w(scene.mesh, scene.model, scene.normals, sizes, {});
@@ -415,7 +332,7 @@ TEST_CASE("a face with a triangle that turns the wrong way round is not for the 
 }
 
 TEST_CASE("the front leaves the same bits each time, and the same shape at every scale", "[remesh]") {
-  const PlaneScene scene = scene_of(polygon_sheet(star_shape(), true));
+  const ModelScene scene = scene_of(polygon_sheet(star_shape(), true));
   const RemeshResult first = meshed(scene, SizingProxy({}, {.global = 0.1})), again = meshed(scene, SizingProxy({}, {.global = 0.1}));
   REQUIRE(first.mesh.points.size() == again.mesh.points.size());
   CHECK(first.mesh.triangles == again.mesh.triangles);
@@ -432,7 +349,7 @@ TEST_CASE("the front leaves the same bits each time, and the same shape at every
 }
 
 TEST_CASE("the front can be stopped", "[remesh]") {
-  const PlaneScene scene = scene_of(polygon_sheet(u_shape));
+  const ModelScene scene = scene_of(polygon_sheet(u_shape));
   RemeshRules rules;
   rules.mesher = Mesher::Frontal;
   rules.rounds = {1};
@@ -458,7 +375,7 @@ TEST_CASE("labels, walls and sources are those of the triangles a face had", "[r
   mesh.label_names = {"side", "lid"};
   for (const Triangle& t : mesh.triangles)
     mesh.face_labels.push_back(std::all_of(t.begin(), t.end(), [&](VertexId v) { return mesh.points[v.index()].z == 1; }) ? 1 : 0);
-  const PlaneScene scene = scene_of(mesh);
+  const ModelScene scene = scene_of(mesh);
   const SizingProxy sizes({}, {.global = 0.1});
   const RemeshResult result = meshed(scene, sizes);
   check_meshed(scene, result, sizes);

@@ -17,6 +17,7 @@
 #include "mortise/remesh/remesh.h"
 #include "support/boolean_scenes.h"
 #include "support/catch.h"
+#include "support/remesh_scenes.h"
 
 using namespace mortise;
 using namespace mortise::test;
@@ -271,18 +272,10 @@ TEST_CASE("model faces are measured against those of their number", "[remesh]") 
 }
 
 TEST_CASE("a remeshed union has the marks the remesher promises", "[remesh]") {
-  std::vector<SurfaceMesh> both{make_cylinder(1, 4, 48), make_cylinder(0.6, 4, 48)};
-  for (Vec3d& p : both[1].points) p = {p.z - 2, p.x + 0.02, p.y + 2.013};
-  const BooleanResult result = evaluate_boolean(Operation::Union, pointers_to(both));
-  std::vector<FaceNormals> normals;
-  for (const SurfaceMesh& solid : both) normals.push_back(measure_normals(solid, build_topology(solid)));
-  const FaceNormals of_facets = source_normals(result.provenance, normals);
-  BrepRules rules;
-  rules.seams = Seams::None;
-  const ClassifiedBrep model = build_brep(result.mesh, rules, of_facets);
+  const ModelScene scene = scene_of(Operation::Union, crossing_cylinders(48));
   const SizingProxy sizes({}, {.global = 0.1});
-  const RemeshResult fine = remesh(result.mesh, model, of_facets, sizes);
-  const ClassifiedBrep after{model.brep, fine.classification};
+  const RemeshResult fine = remesh(scene.mesh, scene.model, scene.normals, sizes);
+  const ClassifiedBrep after = model_after(scene, fine);
   const QualityReport q = measure_quality(fine.mesh, after, sizes);
   CHECK(q.free.count == q.all.count);
   CHECK(q.free.least_angle_deg == measure_faces(fine.mesh).angles.min_deg);
@@ -291,13 +284,13 @@ TEST_CASE("a remeshed union has the marks the remesher promises", "[remesh]") {
   CHECK(q.edges.in_band > 0.99);
   CHECK(q.folds == 0);
   CHECK(std::accumulate(q.edges.bins.begin(), q.edges.bins.end(), std::size_t{0}) == q.edges.count);
-  const Deviation d = measure_deviation(fine.mesh, after, result.mesh, model, sizes, Matching::Entities);
+  const Deviation d = deviation_after(scene, fine, sizes);
   CHECK(d.to_reference.in_sizes < 0.1);
   CHECK(d.from_reference.in_sizes < 0.1);
   CHECK(d.curves_to_reference.in_sizes < 1e-9);
   // Edges as long as the size cut off corners of 8 degrees and more of the curve: half the size times tan 4 degrees.
   CHECK(d.curves_from_reference.in_sizes < 0.05);
-  CHECK(measure_quality(result.mesh, model, sizes).all.least_angle_deg < 0.1);
+  CHECK(measure_quality(scene.mesh, scene.model, sizes).all.least_angle_deg < 0.1);
 }
 
 TEST_CASE("a report is a table to read", "[remesh]") {
