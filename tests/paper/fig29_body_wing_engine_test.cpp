@@ -11,6 +11,7 @@
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/shapes.h"
 #include "mortise/mesh/transform.h"
+#include "mortise/size/small_features.h"
 #include "support/boolean_checks.h"
 #include "support/catch.h"
 #include "support/mesh_checks.h"
@@ -123,4 +124,18 @@ TEST_CASE("Fig. 29: remeshed, the trailing edge is where it was and the solid is
     CHECK(static_cast<double>(q.free.count) > 0.9 * static_cast<double>(q.all.count));
     CHECK(q.all.below_30 < (trailing == sharp ? 20U : 200U));  // the tips of the wing; the strip between two trailing edges
   }
+}
+
+TEST_CASE("Fig. 29: with sizes for small features the strip between two trailing edges has good triangles too", "[paper][remesh]") {
+  const ModelScene scene = scene_of(Operation::Union, aeroplane(0.01));
+  const SizingProxy coarse({}, {.global = 0.1});
+  const SizingProxy sizes = coarse.with(find_small_features(scene.mesh, scene.model, coarse).sources);
+  const RemeshResult result = remesh(scene.mesh, scene.model, scene.normals, sizes);
+  const ClassifiedBrep after = model_after(scene, result);
+  CHECK(find_faults(result.mesh, after).empty());
+  CHECK(euler_characteristic(result.mesh) == 2);
+  CHECK(length_of_trailing_edges(result.mesh, after) == Approx(length_of_trailing_edges(scene.mesh, scene.model)).epsilon(1e-12));
+  const QualityReport q = measure_quality(result.mesh, after, sizes);
+  CHECK(q.folds == 0);
+  CHECK(q.all.least_angle_deg > 33);
 }
