@@ -4,18 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mortise/brep/build_brep.h"
 #include "mortise/brep/validate_brep.h"
-#include "mortise/geom/length.h"
-#include "mortise/mesh/find_self_crossings.h"
 #include "mortise/mesh/measures.h"
 #include "mortise/mesh/shapes.h"
 #include "mortise/remesh/beyond_bound.h"
-#include "mortise/remesh/deviation.h"
-#include "mortise/remesh/quality_report.h"
-#include "mortise/remesh/remesh.h"
-#include "support/boolean_scenes.h"
 #include "support/catch.h"
+#include "support/remesh_scenes.h"
 
 using namespace mortise;
 using namespace mortise::test;
@@ -83,28 +77,25 @@ TEST_CASE("a bound on the deviation is kept everywhere, by triangles as good as 
   const Scene scenes[] = {
       {make_cylinder(1, 4, 12), 0.5, 0.03}, {make_icosphere(1, 4), 0.3, 0.01}, {make_torus(2, 0.7, 60, 30), 0.25, 0.01}};
   for (const Scene& scene : scenes) {
-    BrepRules rules;
-    rules.seams = Seams::None;
-    const FaceNormals normals = measure_normals(scene.mesh, build_topology(scene.mesh));
-    const ClassifiedBrep model = build_brep(scene.mesh, rules, normals);
+    const ModelScene given = scene_of(scene.mesh);
     const SizingProxy sizes({}, {.global = scene.size});
     RemeshRules bounded;
     bounded.most_deviation = scene.bound;
-    const RemeshResult free = remesh(scene.mesh, model, normals, sizes), result = remesh(scene.mesh, model, normals, sizes, bounded);
+    const RemeshResult free = remesh(given.mesh, given.model, given.normals, sizes),
+                       result = remesh(given.mesh, given.model, given.normals, sizes, bounded);
     CHECK(free.refinement.empty());
     CHECK_FALSE(result.refinement.empty());
     CHECK(result.kept.empty());
-    const ClassifiedBrep after{model.brep, result.classification}, unbounded{model.brep, free.classification};
-    const SizingProxy finer = sizes.with(result.refinement);
-    const auto farthest = [&](const SurfaceMesh& mesh, const ClassifiedBrep& of) {
-      const Deviation d = measure_deviation(mesh, of, scene.mesh, model, sizes, Matching::Faces);
+    const auto farthest = [&](const RemeshResult& of) {
+      const Deviation d = deviation_after(given, of, sizes);
       return std::max(d.to_reference.greatest, d.from_reference.greatest);
     };
-    CHECK(farthest(free.mesh, unbounded) > scene.bound);
-    CHECK(farthest(result.mesh, after) <= scene.bound);
+    CHECK(farthest(free) > scene.bound);
+    CHECK(farthest(result) <= scene.bound);
+    const ClassifiedBrep after = model_after(given, result);
     CHECK(find_faults(result.mesh, after).empty());
-    CHECK(find_self_crossings(result.mesh).empty());
-    CHECK(measure_quality(result.mesh, after, finer).all.below_30 == 0);
+    CHECK(count_crossings(result.mesh) == 0);
+    CHECK(measure_quality(result.mesh, after, sizes.with(result.refinement)).all.below_30 == 0);
   }
 }
 
@@ -113,30 +104,26 @@ TEST_CASE("where smaller triangles do not help, those given stay", "[remesh]") {
   SurfaceMesh spiked = make_grid_sheet(4, 4, 40, 40);
   for (Vec3d& p : spiked.points) p.z = 0;
   spiked.points[41 * 20 + 20].z = 1;
-  BrepRules rules;
-  rules.seams = Seams::None;
+  BrepRules rules = without_seams();
   rules.features.face_angle_deg = 180;
-  const FaceNormals normals = measure_normals(spiked, build_topology(spiked));
-  const ClassifiedBrep model = build_brep(spiked, rules, normals);
-  REQUIRE(model.brep.faces.size() == 1);
+  const ModelScene given = scene_of(spiked, rules);
+  REQUIRE(given.model.brep.faces.size() == 1);
   RemeshRules bounded;
   bounded.most_deviation = 0.02;
-  const RemeshResult result = remesh(spiked, model, normals, SizingProxy({}, {.global = 0.5}), bounded);
-  const ClassifiedBrep after{model.brep, result.classification};
-  CHECK(find_faults(result.mesh, after).empty());
-  CHECK(find_beyond({result.mesh, result.classification.face_of_triangle}, {spiked, model.classification.face_of_triangle}, 0.02).empty());
-  CHECK(find_beyond({spiked, model.classification.face_of_triangle}, {result.mesh, result.classification.face_of_triangle}, 0.02).empty());
+  const RemeshResult result = remesh(given.mesh, given.model, given.normals, SizingProxy({}, {.global = 0.5}), bounded);
+  CHECK(find_faults(result.mesh, model_after(given, result)).empty());
+  const FacedMesh now{result.mesh, result.classification.face_of_triangle}, before{spiked, given.model.classification.face_of_triangle};
+  CHECK(find_beyond(now, before, 0.02).empty());
+  CHECK(find_beyond(before, now, 0.02).empty());
   CHECK(result.mesh.triangles.size() < spiked.triangles.size());
   CHECK(result.kept.size() < spiked.triangles.size());
 }
 
 TEST_CASE("a bound that is no length is refused", "[remesh]") {
-  const SurfaceMesh ball = make_icosphere(1, 2);
-  const FaceNormals normals = measure_normals(ball, build_topology(ball));
-  const ClassifiedBrep model = build_brep(ball);
+  const ModelScene ball = scene_of(make_icosphere(1, 2));
   for (const double bound : {0.0, -1.0, std::nan("")}) {
     RemeshRules rules;
     rules.most_deviation = bound;
-    CHECK_THROWS_AS(remesh(ball, model, normals, SizingProxy({}, {.global = 0.5}), rules), Error);
+    CHECK_THROWS_AS(remesh(ball.mesh, ball.model, ball.normals, SizingProxy({}, {.global = 0.5}), rules), Error);
   }
 }
