@@ -8,8 +8,11 @@
 #include <string>
 
 #include "arrays.h"
+#include "border.h"
 #include "mortise/base/error.h"
 #include "mortise/base/sort_unique.h"
+#include "mortise/mesh/half_space.h"
+#include "mortise/mesh/measures.h"
 #include "mortise/mesh/weld.h"
 
 namespace mortise::wasm {
@@ -163,11 +166,19 @@ Provenance provenance_in(const val& object) {
 }
 
 FaceNormals source_normals_in(const val& sources) {
-  std::vector<FaceNormals> normals;
-  const auto count = sources["operands"]["length"].as<unsigned>();
-  for (unsigned k = 0; k < count; ++k) {
-    const SurfaceMesh operand = mesh_in(sources["operands"][k]);
-    normals.push_back(measure_normals(operand, build_topology(operand)));
+  const val operands = sources["operands"];
+  std::vector<FaceNormals> normals(operands["length"].as<std::size_t>());
+  const auto measure = [&](std::size_t k, const SurfaceMesh& mesh) { normals[k] = measure_normals(mesh, build_topology(mesh)); };
+  Box3 box;
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    if (!operands[k]["plane"].isUndefined()) continue;
+    const SurfaceMesh mesh = mesh_in(operands[k]);
+    box.extend(bounding_box(mesh));
+    measure(k, mesh);
+  }
+  for (std::size_t k = 0; k < normals.size(); ++k) {
+    const val plane = operands[k]["plane"];
+    if (!plane.isUndefined()) in_operand(k, [&] { measure(k, make_half_space(plane_in(plane), box)); });
   }
   return source_normals(provenance_in(sources["provenance"]), normals);
 }

@@ -36,7 +36,7 @@ struct BuiltModel {
 /// @param object  the arrays of the Provenance of a result; other sources and covering sets may be missing
 [[nodiscard]] Provenance provenance_in(const emscripten::val& object);
 
-/// @param sources  {provenance, operands} of the result of an operation: the meshes it was made from
+/// @param sources  {provenance, operands} of the result of an operation: the meshes it was made from, or {plane} for a half-space
 [[nodiscard]] FaceNormals source_normals_in(const emscripten::val& sources);
 
 /// Vertices at one place are one; without data.

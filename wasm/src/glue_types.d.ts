@@ -95,7 +95,7 @@ export interface ModelSettings {
   splitAtLabels: boolean;
   userEdges: Uint32Array;
   seams: 'none' | 'annulus' | 'disc';
-  sources?: { provenance: Provenance; operands: CheckedMesh[] };
+  sources?: { provenance: Provenance; operands: CheckedOperand[] };
   /** Per triangle, and for facets of results only. */
   groups?: Uint32Array;
   normals?: Float64Array;

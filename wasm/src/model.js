@@ -3,7 +3,7 @@
 // A model: tables of entities from the core, read a row at a time, and attributes on them.
 // @ts-check
 
-import { checkMesh, checkOptions, describe } from './arguments.js';
+import { checkMesh, checkOperand, checkOptions, describe } from './arguments.js';
 import { entityCounts, flatAttributes, measuresOf } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import { isNumberArray } from './values.js';
@@ -199,7 +199,7 @@ export function checkProvenance(provenance, triangles, name) {
 function checkSources(sources, triangles) {
   const { provenance, operands } = checkOptions(sources, ['provenance', 'operands']);
   if (!Array.isArray(operands)) throw invalidArgument('sources must be {provenance, operands}: of a result, and the meshes it was made from');
-  const meshes = operands.map((/** @type {any} */ mesh, /** @type {number} */ k) => checkMesh(mesh, `sources.operands[${k}]`));
+  const meshes = operands.map((/** @type {any} */ mesh, /** @type {number} */ k) => checkOperand(mesh, `sources.operands[${k}]`));
   return { provenance: checkProvenance(provenance, triangles, 'sources.provenance'), operands: meshes };
 }
 

@@ -3,13 +3,14 @@
 // Meshes of the sizes wanted on the same model, and how many triangles they take.
 // @ts-check
 
-import { checkMesh, checkOptions, describe } from './arguments.js';
+import { checkMesh, checkOperand, checkOptions, describe } from './arguments.js';
 import { invalidArgument } from './errors.js';
 import { checkModelOptions, checkProvenance } from './model.js';
 import { listenedTo } from './progress.js';
 import { Sizing, makeSizing } from './sizing.js';
 
 /** @typedef {import('./glue_types.js').CheckedMesh} CheckedMesh */
+/** @typedef {import('./glue_types.js').CheckedOperand} CheckedOperand */
 /** @typedef {import('./kept.js').Session} Session */
 /** @typedef {import('./mesh_operations.js').Ask} Ask */
 
@@ -107,7 +108,7 @@ export function checkAngle(value, name) {
  * The mesh, and where it comes from when it is that of a result.
  * @param {any} given
  * @param {any} operands
- * @returns {{ mesh: CheckedMesh, sources?: { provenance: import('./index.js').Provenance, operands: CheckedMesh[] } }}
+ * @returns {{ mesh: CheckedMesh, sources?: { provenance: import('./index.js').Provenance, operands: CheckedOperand[] } }}
  */
 export function checkGiven(given, operands) {
   const isResult = given?.mesh !== undefined && given.provenance !== undefined;
@@ -120,7 +121,7 @@ export function checkGiven(given, operands) {
   const mesh = checkMesh(given.mesh, 'result.mesh');
   const triangles = (mesh.triangles?.length ?? mesh.positions.length / 3) / 3;
   const provenance = checkProvenance(given.provenance, triangles, 'result.provenance');
-  return { mesh, sources: { provenance, operands: operands.map((operand, k) => checkMesh(operand, `operands[${k}]`)) } };
+  return { mesh, sources: { provenance, operands: operands.map((operand, k) => checkOperand(operand, `operands[${k}]`)) } };
 }
 
 /**

@@ -7,7 +7,7 @@ import { existsSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 
-import { inspect, load, make, MeshError, model, predictTriangles, quality, remesh, resultModel, sizing, transform, union } from 'mortise';
+import { inspect, load, make, MeshError, model, predictTriangles, quality, remesh, resultModel, sizing, subtract, transform, union } from 'mortise';
 
 import { cube, meshError, run, soupOf, temporaryFolder } from './support.mjs';
 
@@ -189,6 +189,25 @@ test('angles decide what is an edge and what is a corner', async () => {
   };
   assert.equal(await rimCorners(20), 24, 'every corner of the two rims stays');
   assert.ok((await rimCorners(45)) < 24);
+});
+
+test('half-spaces are operands', async (t) => {
+  const plane = { plane: [0, 0, 1, 0.45] };
+  const ball = await make('icosphere', { radius: 1, levels: 3 });
+  const result = await subtract(ball, plane);
+  const cap = await model(result.mesh, { sources: { provenance: result.provenance, operands: [ball, plane] } });
+  assert.deepEqual([cap.counts.modelFaces, cap.counts.modelEdges], [2, 1]);
+  const { mesh, modelFaces, after } = await remesh(result, { operands: [ball, plane], size: 0.15 });
+  assert.equal(new Set(modelFaces).size, 2);
+  assert.ok(after.minAngleDeg > 25, `${after.minAngleDeg}`);
+  close((await inspect(mesh)).volume, result.report.volume, 0.02);
+  const cwd = temporaryFolder(t);
+  const mortise = await load();
+  mortise.writeMesh(join(cwd, 'cube.off'), cube());
+  assert.equal(run(['intersect', 'cube.off', '--plane', '0,0,1,0.5', '-o', 'low.off', '--remesh', '0.2', '-q'], { cwd }).code, 0);
+  const low = mortise.readMesh(join(cwd, 'low.off'));
+  assert.ok(low.triangles.length > 300);
+  close(mortise.inspect(low).volume, 0.5);
 });
 
 test('progress is reported, and stops the call', async () => {

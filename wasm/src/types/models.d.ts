@@ -24,7 +24,7 @@ export interface ModelOptions {
   /** Edges that open faces: where a face without handles lies between two loops, as the side of a cylinder (default), or in all. */
   seams?: 'none' | 'annulus' | 'disc';
   /** Of the result of an operation: angles are those between the triangles it was made from, and there are none inside these. */
-  sources?: { provenance: Provenance; operands: readonly MeshInput[] };
+  sources?: { provenance: Provenance; operands: readonly (MeshInput | HalfSpace)[] };
 }
 
 export interface ModelCounts {

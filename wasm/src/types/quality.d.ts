@@ -4,6 +4,7 @@
 
 import type { BooleanResult } from './booleans.js';
 import type { MeshInput } from './mesh.js';
+import type { HalfSpace } from './operands.js';
 import type { RemeshResult, RemeshSizes } from './remesh.js';
 
 /** Of a set of triangles; zeros when it is empty. Angles are in degrees. */
@@ -86,7 +87,7 @@ export type QualityOptions = RemeshSizes & {
   /** As for remesh: they make the model, unless that of a remeshed result is known. Defaults 40 and 45. */
   featureAngle?: number;
   curveAngle?: number;
-} & ({ reference?: MeshInput; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly MeshInput[] });
+} & ({ reference?: MeshInput; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly (MeshInput | HalfSpace)[] });
 
 /** A mesh, or what `remesh` answered. */
 export type JudgedMesh = MeshInput | (Pick<RemeshResult, 'mesh' | 'modelFaces' | 'modelEdges'> & Partial<Pick<RemeshResult, 'refinement'>>);

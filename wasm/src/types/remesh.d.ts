@@ -4,6 +4,7 @@
 
 import type { BooleanResult } from './booleans.js';
 import type { Mesh, MeshInput } from './mesh.js';
+import type { HalfSpace } from './operands.js';
 import type { SizeSource, Sizing } from './sizing.js';
 
 /** How long edges are to be where: said here, or by a sizing. */
@@ -108,8 +109,8 @@ export interface RemeshResult {
  */
 export function remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): Promise<RemeshResult>;
 /** Of what an operation answered: `operands` are the meshes of the call, moved as they were there, and creases are those of their triangles. */
-export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly MeshInput[] }): Promise<RemeshResult>;
+export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly (MeshInput | HalfSpace)[] }): Promise<RemeshResult>;
 
 /** How many triangles the sizes, and those of small features, ask for: what `remesh` says is `predicted`. */
 export function predictTriangles(mesh: MeshInput, options: PredictOptions & { operands?: undefined }): Promise<number>;
-export function predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly MeshInput[] }): Promise<number>;
+export function predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly (MeshInput | HalfSpace)[] }): Promise<number>;

@@ -102,6 +102,7 @@ export const many: Float64Array = sizes.sizeAt(box.positions);
 export const view: string = sizes.toGmshView({ min: [0, 0, 0], max: [1, 1, 1] });
 const finer: RemeshResult = await remesh(box, { size: 0.1, sources: wanted, featureAngle: 30, onProgress: ({ fraction }) => fraction < 1 });
 await remesh(pair, { operands: [box, moved], sizing: sizes, mostTriangles: 1e6 });
+await remesh(pair, { operands: [box, { plane: [0, 0, 1, 0.5] }], size: 1 });
 export const least: number | null = finer.after.minAngleDeg;
 export const expected: number = await predictTriangles(finer.mesh, { sizing: sizes });
 const judged: QualityReport = await quality(finer, { sizing: sizes, reference: pair, operands: [box, moved] });

@@ -133,8 +133,7 @@ function writeResult(mortise, { result, files, operands, target }, args, streams
  * @param {import('../common.js').Streams} streams
  */
 function writeRemeshed(mortise, { result, operands, target }, options, streams) {
-  const meshes = operands.map(({ mesh }) => /** @type {import('../../index.js').Mesh} */ (mesh));
-  const remeshed = mortise.remesh(result, { ...options, operands: meshes });
+  const remeshed = mortise.remesh(result, { ...options, operands: operands.map(({ mesh }) => mesh) });
   result.report.notes.push(...remeshNotes(remeshed));
   send(target, mortise.writeMesh(remeshed.mesh, { format: /** @type {any} */ (target.format) }), streams);
 }
@@ -170,7 +169,6 @@ export function booleanVerb(name) {
       const { report } = result;
       const refused = !report.certified && !args.values['allow-uncertified'];
       const size = parseOptional(args, 'remesh');
-      if (size !== undefined && args.values.plane !== undefined) throw invalidArgument('--remesh and --plane do not go together yet');
       if (size === undefined && args.values.layers !== undefined) throw invalidArgument('--layers needs --remesh');
       if (!refused && size !== undefined) writeRemeshed(mortise, { result, files, operands, target }, { size, layers: parseOptional(args, 'layers') }, streams);
       else if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
