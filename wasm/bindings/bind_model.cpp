@@ -12,6 +12,7 @@
 
 #include "arrays.h"
 #include "border.h"
+#include "model_tables.h"
 #include "models.h"
 #include "mortise/brep/model_mesh.h"
 #include "mortise/brep/named_model.h"

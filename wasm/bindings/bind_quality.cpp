@@ -66,21 +66,8 @@ void number_faces(ClassifiedBrep& model, const std::vector<std::uint32_t>& faces
   model.brep.faces.resize(count);
 }
 
-struct Reference {
-  SurfaceMesh mesh;
-  ClassifiedBrep model;
-};
-
-Reference reference_in(const val& object) {
-  return in_operand(1, [&] {
-    SurfaceMesh mesh = welded_mesh_in(object["mesh"]);
-    ClassifiedBrep model = build_brep(mesh, rules_in(object["settings"]), normals_of(mesh, object["settings"]["sources"]));
-    return Reference{std::move(mesh), std::move(model)};
-  });
-}
-
 /// {numbers, deviation?, table}.
-/// @param settings  those of rules_in, with refinement?: that of remesh, and reference?: {mesh, settings} with sources?; with groups
+/// @param settings  those of rules_in, with refinement?: that of remesh, and reference?, as in given_model_in; with groups
 ///                  the mesh is as it is, and its groups are the faces of the reference
 val measure_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
   return answer([&] {
@@ -96,7 +83,7 @@ val measure_mesh(const val& mesh_object, const val& settings, std::uint32_t sizi
     val object = val::object();
     object.set("numbers", copy_out(numbers_of(report)));
     if (!settings["reference"].isUndefined()) {
-      const Reference reference = reference_in(settings["reference"]);
+      const BuiltModel reference = in_operand(1, [&] { return given_model_in(settings["reference"]); });
       if (is_classified) number_faces(model, rules.features.groups, reference.model.brep.faces.size());
       const Matching matching = is_classified ? Matching::Faces : Matching::None;
       const Deviation deviation = measure_deviation(mesh, model, reference.mesh, reference.model, sizes, matching);

@@ -11,6 +11,7 @@
 
 #include "arrays.h"
 #include "border.h"
+#include "model_tables.h"
 #include "models.h"
 #include "mortise/brep/result_features.h"
 #include "mortise/geom/length.h"
@@ -67,7 +68,7 @@ std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) 
   const val zone = settings["zone"], layers = settings["layers"];
   if (!zone.isUndefined()) return emscripten::convertJSArrayToNumberVector<std::uint8_t>(zone);
   if (layers.isUndefined()) return {};
-  return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["sources"]["provenance"])), layers.as<std::uint32_t>());
+  return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["provenance"])), layers.as<std::uint32_t>());
 }
 
 /// The sizes given, and those that small features ask for.
@@ -100,15 +101,15 @@ RemeshResult remesh_with(const FeatureSizes& sized, const SurfaceMesh& mesh, con
   }
 }
 
-/// {mesh, sources, modelFaces, modelEdges, refinement, kept, newCrossings, predicted, before, after}.
-/// @param settings  those of rules_in, with sources?, features?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?,
-/// mostTriangles, maxDeviation and listener: (stage, fraction) -> go on?
-val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizing) {
+/// {mesh, sources, modelFaces, modelEdges, refinement, kept, newCrossings, predicted, before, after, tables?}.
+/// @param given  as in given_model_in; a model is answered with its tables
+/// @param settings  {features?, isPaper, isFrontal, rounds?, lastRounds, audits, zone?, layers?, provenance?, mostTriangles, maxDeviation,
+/// listener}: layers are round the graph of that provenance, (stage, fraction) -> go on?
+val remesh_mesh(const val& given, const val& settings, std::uint32_t sizing) {
   return answer([&] {
     const auto given_sizes = sizing_of(sizing);
-    const SurfaceMesh mesh = welded_mesh_in(mesh_object);
-    const FaceNormals normals = normals_of(mesh, settings["sources"]);
-    const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals);
+    const BuiltModel built = given_model_in(given);
+    const auto& [mesh, normals, model] = built;
     RemeshRules rules = remesh_rules_in(settings);
     rules.zone = zone_in(mesh, settings);
     const FeatureSizes sized = sizes_with_features(*given_sizes, mesh, model, rules.most_triangles, settings["features"]);
@@ -126,19 +127,23 @@ val remesh_mesh(const val& mesh_object, const val& settings, std::uint32_t sizin
     object.set("predicted", predict_triangle_count(mesh, sized.sizes.with(result.refinement)));
     object.set("before", shape_out(mesh));
     object.set("after", shape_out(result.mesh));
+    if (given["isModel"].as<bool>()) {
+      const ClassifiedBrep remeshed{model.brep, result.classification};
+      object.set("tables", tables_out(view_of(result.mesh, remeshed)));
+    }
     return object;
   });
 }
 
-/// @param settings  those of rules_in, with sources? and features?
-val predict_triangles(const val& mesh_object, const val& settings, std::uint32_t sizing) {
+/// @param given  as in given_model_in
+/// @param features  undefined, or as in sizes_with_features
+val predict_triangles(const val& given, const val& features, std::uint32_t sizing) {
   return answer([&] {
     const auto given_sizes = sizing_of(sizing);
-    const SurfaceMesh mesh = welded_mesh_in(mesh_object);
-    if (settings["features"].isUndefined()) return predict_triangle_count(mesh, *given_sizes);
-    const ClassifiedBrep model = build_brep(mesh, rules_in(settings), normals_of(mesh, settings["sources"]));
+    if (features.isUndefined()) return predict_triangle_count(mesh_in(given["mesh"]), *given_sizes);
+    const BuiltModel built = given_model_in(given);
     const double whatever = std::numeric_limits<double>::infinity();
-    return predict_triangle_count(mesh, sizes_with_features(*given_sizes, mesh, model, whatever, settings["features"]).sizes);
+    return predict_triangle_count(built.mesh, sizes_with_features(*given_sizes, built.mesh, built.model, whatever, features).sizes);
   });
 }
 

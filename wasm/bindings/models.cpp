@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "border.h"
+#include "model_tables.h"
 #include "mortise/base/error.h"
 #include "mortise/base/sort_unique.h"
 #include "mortise/mesh/half_space.h"
@@ -19,49 +20,6 @@ namespace mortise::wasm {
 namespace {
 
 using emscripten::val;
-
-void set_entities(const Brep& brep, val& object) {
-  object.set("edgeStart", numbers_out(brep.edges, [](const ModelEdge& e) { return e.start.value; }));
-  object.set("edgeEnd", numbers_out(brep.edges, [](const ModelEdge& e) { return e.end.value; }));
-  object.set("edgeIsSeam", numbers_out(brep.edges, [](const ModelEdge& e) { return e.is_seam; }));
-  object.set("faceGenus", numbers_out(brep.faces, [](const ModelFace& f) { return f.genus; }));
-  object.set("faceBehind", numbers_out(brep.faces, [](const ModelFace& f) { return f.region_behind.value; }));
-  object.set("faceInFront", numbers_out(brep.faces, [](const ModelFace& f) { return f.region_in_front.value; }));
-  object.set("loopStart", numbers_out(brep.loops, [](const ModelLoop& l) { return l.start.value; }));
-  object.set("shellRegion", ids_out(brep.region_of_shell));
-}
-
-void set_adjacency(const Brep& brep, val& object) {
-  object.set("loopsOfFaceBegin", copy_out(brep.loops_of_face.begin));
-  object.set("usesOfLoopBegin", copy_out(brep.uses_of_loop.begin));
-  object.set("useEdge", numbers_out(brep.uses_of_loop.items, [](const EdgeUse& u) { return u.edge.value; }));
-  object.set("useIsReversed", numbers_out(brep.uses_of_loop.items, [](const EdgeUse& u) { return u.is_reversed; }));
-  object.set("sidesOfShellBegin", copy_out(brep.sides_of_shell.begin));
-  object.set("sideFace", numbers_out(brep.sides_of_shell.items, [](const FaceSide& s) { return s.face.value; }));
-  object.set("sideIsFront", numbers_out(brep.sides_of_shell.items, [](const FaceSide& s) { return s.is_front; }));
-  object.set("shellsOfRegionBegin", copy_out(brep.shells_of_region.begin));
-  object.set("shellsOfRegion", ids_out(brep.shells_of_region.items));
-  object.set("edgesOfVertexBegin", copy_out(brep.edges_of_vertex.begin));
-  object.set("edgesOfVertex", ids_out(brep.edges_of_vertex.items));
-  object.set("facesOfEdgeBegin", copy_out(brep.faces_of_edge.begin));
-  object.set("faceOfEdge", numbers_out(brep.faces_of_edge.items, [](const FaceUse& u) { return u.face.value; }));
-  object.set("faceOfEdgeIsReversed", numbers_out(brep.faces_of_edge.items, [](const FaceUse& u) { return u.is_reversed; }));
-}
-
-void set_classification(const Classification& on, val& object) {
-  object.set("meshVertex", ids_out(on.mesh_vertex));
-  object.set("pathBegin", copy_out(on.path.begin));
-  object.set("path", ids_out(on.path.items));
-  object.set("triangleFace", ids_out(on.face_of_triangle));
-  object.set("vertexDimension", numbers_out(on.entity_of_vertex, [](const ModelEntity& e) { return e.dimension; }));
-  object.set("vertexEntity", numbers_out(on.entity_of_vertex, [](const ModelEntity& e) { return e.id; }));
-}
-
-val measures_out(const ModelView& view, EntityDimension dimension) {
-  std::vector<double> measures;
-  for (std::uint32_t i = 0; i < entity_count(view.model.brep, dimension); ++i) measures.push_back(measure(view, {dimension, i}));
-  return copy_out(measures);
-}
 
 [[noreturn]] void refuse_provenance() {
   throw Error(ErrorCode::InvalidArgument, "", "the provenance is not that of this mesh made from these operands");
@@ -125,27 +83,15 @@ val recipe_out(const BrepRules& rules, const FaceNormals& normals) {
 }
 
 BuiltModel model_in(const val& object) {
-  const val settings = object["settings"];
+  const val settings = object["settings"], tables = settings["tables"];
   BuiltModel built{mesh_in(object["mesh"]), {}, {}};
   if (settings["normals"].isUndefined()) {
     built.normals = measure_normals(built.mesh, build_topology(built.mesh));
   } else {
     built.normals = {points_in(settings["normals"]), numbers_in<std::uint32_t>(settings["planes"])};
   }
-  built.model = build_brep(built.mesh, rules_in(settings), built.normals);
+  built.model = tables.isUndefined() ? build_brep(built.mesh, rules_in(settings), built.normals) : tables_in(tables, built.mesh);
   return built;
-}
-
-val tables_out(const ModelView& view) {
-  val object = val::object();
-  set_entities(view.model.brep, object);
-  set_adjacency(view.model.brep, object);
-  set_classification(view.model.classification, object);
-  object.set("regionIsVoid", copy_out(find_voids(view.mesh, view.model)));
-  object.set("edgeLength", measures_out(view, EntityDimension::Edge));
-  object.set("faceArea", measures_out(view, EntityDimension::Face));
-  object.set("regionVolume", measures_out(view, EntityDimension::Region));
-  return object;
 }
 
 Provenance provenance_in(const val& object) {
@@ -190,8 +136,13 @@ SurfaceMesh welded_mesh_in(const val& object) {
   return weld(mesh).mesh;
 }
 
-FaceNormals normals_of(const SurfaceMesh& mesh, const val& sources) {
-  return sources.isUndefined() ? measure_normals(mesh, build_topology(mesh)) : source_normals_in(sources);
+BuiltModel given_model_in(const val& given) {
+  if (given["isModel"].as<bool>()) return model_in(given);
+  const val settings = given["settings"], sources = settings["sources"];
+  BuiltModel built{welded_mesh_in(given["mesh"]), {}, {}};
+  built.normals = sources.isUndefined() ? measure_normals(built.mesh, build_topology(built.mesh)) : source_normals_in(sources);
+  built.model = build_brep(built.mesh, rules_in(settings), built.normals);
+  return built;
 }
 
 void check_provenance(const Provenance& p, std::size_t triangles, std::span<const ModelView> operands) {

@@ -20,18 +20,20 @@ namespace mortise::wasm {
 /// The settings to build a model again with: {groups?, userEdges?, normals?, planes?}, those that are given.
 [[nodiscard]] emscripten::val recipe_out(const BrepRules& rules, const FaceNormals& normals);
 
-/// A model with what it was built from. JavaScript keeps no more of it than that: it is built again for every call, the same way.
+/// A model with what it was built from. JavaScript keeps that, and it is built again for every call, the same way.
 struct BuiltModel {
   SurfaceMesh mesh;
   FaceNormals normals;
   ClassifiedBrep model;
 };
 
-/// @param object  {mesh, settings}; settings are those of rules_in, with normals and planes of facets of a result
+/// @param object  {mesh, settings}; settings are those of rules_in, with normals and planes of facets of a result, or the tables that no
+/// building anew would give: those of a remeshed model
 [[nodiscard]] BuiltModel model_in(const emscripten::val& object);
 
-/// The arrays of ModelTables.
-[[nodiscard]] emscripten::val tables_out(const ModelView& view);
+/// That model, or one of a mesh; vertices at one place are one then, and it is without data.
+/// @param given  {mesh, settings, isModel}: for model_in, or settings are those of rules_in, with sources?
+[[nodiscard]] BuiltModel given_model_in(const emscripten::val& given);
 
 /// @param object  the arrays of the Provenance of a result; other sources and covering sets may be missing
 [[nodiscard]] Provenance provenance_in(const emscripten::val& object);
@@ -41,10 +43,6 @@ struct BuiltModel {
 
 /// Vertices at one place are one; without data.
 [[nodiscard]] SurfaceMesh welded_mesh_in(const emscripten::val& object);
-
-/// Those of the mesh, or of the facets it has from operands.
-/// @param sources  undefined, or as in source_normals_in
-[[nodiscard]] FaceNormals normals_of(const SurfaceMesh& mesh, const emscripten::val& sources);
 
 /// @throws Error{InvalidArgument} when it is not that of a result of so many triangles made from these operands
 void check_provenance(const Provenance& provenance, std::size_t triangles, std::span<const ModelView> operands);

@@ -77,9 +77,9 @@ export interface Core {
   forgetSizing(sizing: number): void;
   sizesAt(sizing: number, points: Float64Array | Float32Array): Answer<Float64Array>;
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
-  remesh(mesh: CheckedMesh, settings: ModelSettings & RemeshSettings, sizing: number): Answer<RemeshResult>;
-  predictTriangles(mesh: CheckedMesh, settings: ModelSettings & FeatureSettings, sizing: number): Answer<number>;
-  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: CheckedModel | undefined; refinement?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
+  remesh(given: GivenModel, settings: RemeshSettings, sizing: number): Answer<RemeshedMesh>;
+  predictTriangles(given: GivenModel, features: FeatureSettings | undefined, sizing: number): Answer<number>;
+  measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: GivenModel | undefined; refinement?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
   readMesh(bytes: Uint8Array, name: string): Answer<Mesh>;
   writeMesh(mesh: CheckedMesh, format: string): Answer<Uint8Array>;
@@ -102,13 +102,18 @@ export interface ModelSettings {
   planes?: Uint32Array;
 }
 
+/** What a model is built from, or its tables where no building anew would number its entities so. */
+export type ModelRecipe = ModelSettings | { tables: ModelTables };
+
 /** What is to become of features that are too small. */
 export interface FeatureSettings {
-  features?: { growth: number; least?: number };
+  growth: number;
+  least?: number;
 }
 
 /** What `remesh` is told beside. */
-export interface RemeshSettings extends FeatureSettings {
+export interface RemeshSettings {
+  features: FeatureSettings | undefined;
   listener: ((stage: string, fraction: number) => boolean) | undefined;
   mostTriangles: number;
   maxDeviation: number;
@@ -117,8 +122,15 @@ export interface RemeshSettings extends FeatureSettings {
   rounds: Float64Array | undefined;
   zone: Uint8Array | undefined;
   layers: number | undefined;
+  /** What layers are round. */
+  provenance: Provenance | undefined;
   lastRounds: number;
   audits: number;
+}
+
+export interface RemeshedMesh extends RemeshResult {
+  /** Where a model was given. */
+  tables?: ModelTables;
 }
 
 /** Numbers in the order of quality.js. */
@@ -135,10 +147,15 @@ export interface ResultSettings {
   names: string[];
 }
 
-/** What a model is built from. The core keeps none: it builds it again. */
+/** A model as it crosses. The core keeps none: it builds it again. */
 export interface CheckedModel {
   mesh: CheckedMesh;
-  settings: ModelSettings;
+  settings: ModelRecipe;
+}
+
+/** A model, or a mesh with what its model is made by. */
+export interface GivenModel extends CheckedModel {
+  isModel: boolean;
 }
 
 export type CheckedModelOperand = (CheckedModel & { attributes: FlatAttribute[]; carried: boolean; plane?: undefined }) | { plane: Float64Array };

@@ -4,7 +4,7 @@
 // @ts-check
 
 import { checkMesh, checkOperand, checkOptions, describe } from './arguments.js';
-import { entityCounts, flatAttributes, measuresOf } from './attributes.js';
+import { entityCounts, flatAttributes, measuresOf, wholeAttributes } from './attributes.js';
 import { invalidArgument } from './errors.js';
 import { isNumberArray } from './values.js';
 
@@ -31,7 +31,7 @@ function rangeOf(begin, i) {
  * @typedef {object} Parts
  * @property {Given} mesh
  * @property {Tables} tables
- * @property {import('./glue_types.js').ModelSettings} settings to build it again with
+ * @property {import('./glue_types.js').ModelRecipe} settings to build it again with
  * @property {import('./index.js').Attribute[]} attributes
  */
 
@@ -58,6 +58,25 @@ export class Model {
    */
   checked(name) {
     return { mesh: checkMesh(this.mesh, `${name}.mesh`), settings: this.#settings, attributes: this.#checkedAttributes(`${name}.attributes`) };
+  }
+
+  /**
+   * What it is made of there: entities of the same numbers, which no building anew would give them, and the same attributes.
+   * @param {import('./index.js').Mesh} mesh
+   * @param {Tables} tables
+   */
+  partsOn(mesh, tables) {
+    return { mesh, tables, settings: { tables }, attributes: wholeAttributes(this.#checkedAttributes('model.attributes')) };
+  }
+
+  /**
+   * The model on another mesh of it.
+   * @param {import('./index.js').Mesh} mesh
+   * @param {Tables} tables
+   * @returns {Model<import('./index.js').Mesh>}
+   */
+  on(mesh, tables) {
+    return new Model(this.partsOn(mesh, tables));
   }
 
   measures() {

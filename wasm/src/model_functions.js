@@ -133,7 +133,8 @@ export function modelFunctions(ask, files) {
     const { tables, recipe, attributes, interfaces, lineage } = ask((core) => core.resultModel({ mesh, provenance }, checked, resultSettings), meshes, mesh);
     const counts = models.map((model) => (model instanceof Model ? entityCounts(model.tables) : undefined));
     const parts = { mesh: given, tables, settings: { ...settings, ...recipe }, attributes: wholeAttributes(attributes) };
-    return new ResultModel(parts, { links: lineage, counts: entityCounts(tables), operands: counts, interfaces: wholeAttributes(interfaces) });
+    const ofGraph = groups === undefined ? provenance : undefined;
+    return new ResultModel(parts, { links: lineage, counts: entityCounts(tables), operands: counts, interfaces: wholeAttributes(interfaces), provenance: ofGraph });
   }
 
   /**

@@ -5,8 +5,8 @@
 
 import { checkMesh, checkOptions, describe } from './arguments.js';
 import { invalidArgument } from './errors.js';
-import { checkModelOptions } from './model.js';
-import { checkAngle, checkGiven, sizeOptions, withSizing } from './remesh.js';
+import { Model, checkModelOptions } from './model.js';
+import { checkAngle, checkGiven, checkGivenModel, sizeOptions, withSizing } from './remesh.js';
 
 /** @typedef {import('./glue_types.js').ModelSettings} ModelSettings */
 /** @typedef {import('./index.js').OneWayDistance} OneWayDistance */
@@ -79,6 +79,21 @@ function checkJudged(given, settings) {
 }
 
 /**
+ * What the mesh is compared with.
+ * @param {any} reference
+ * @param {any} operands
+ * @param {ModelSettings} settings
+ * @returns {import('./glue_types.js').GivenModel | undefined}
+ */
+function checkReference(reference, operands, settings) {
+  if (operands !== undefined && (reference === undefined || reference instanceof Model)) throw invalidArgument('operands are those of a reference that is a result: pass that too');
+  if (reference === undefined) return undefined;
+  if (reference instanceof Model) return checkGivenModel(reference, 'reference');
+  const { mesh, sources } = checkGiven(reference, operands);
+  return { mesh, settings: { ...settings, sources }, isModel: false };
+}
+
+/**
  * @param {import('./kept.js').Session} session
  * @param {import('./mesh_operations.js').Ask} ask
  * @returns {Pick<import('./index.js').Mortise, 'quality'>}
@@ -91,10 +106,8 @@ export function qualityFunctions(session, ask) {
       const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
       const settings = checkModelOptions({ ...angles, seams: 'none' });
       const judged = checkJudged(given, settings);
-      if (reference === undefined && operands !== undefined) throw invalidArgument('operands are those of a reference that is a result: pass that too');
-      const { mesh: other, sources } = reference === undefined ? { mesh: undefined, sources: undefined } : checkGiven(reference, operands);
-      const about = other === undefined ? undefined : { mesh: other, settings: { ...settings, sources } };
-      const measure = (/** @type {number} */ sizing) => ask((core) => core.measureMesh(judged.mesh, { ...judged.settings, reference: about }, sizing), other === undefined ? [judged.mesh] : [judged.mesh, other], judged.mesh);
+      const about = checkReference(reference, operands, settings);
+      const measure = (/** @type {number} */ sizing) => ask((core) => core.measureMesh(judged.mesh, { ...judged.settings, reference: about }, sizing), about === undefined ? [judged.mesh] : [judged.mesh, about.mesh], judged.mesh);
       const { numbers, deviation, table } = withSizing({ session, ask }, { mesh: judged.mesh, options: checked }, measure);
       const reader = new Reader(numbers);
       const report = { all: reader.named(triangleMarks), free: reader.named(triangleMarks), edges: reader.lengths(), freeEdges: reader.lengths(), obstacles: reader.named(obstacles), ...reader.named(['folds']), valences: reader.rest() };

@@ -5,12 +5,14 @@
 
 import { checkMesh, checkOperand, checkOptions, describe } from './arguments.js';
 import { invalidArgument } from './errors.js';
-import { checkModelOptions, checkProvenance } from './model.js';
+import { Model, checkModelOptions, checkProvenance } from './model.js';
 import { listenedTo } from './progress.js';
+import { ResultModel } from './result_model.js';
 import { Sizing, makeSizing } from './sizing.js';
 
 /** @typedef {import('./glue_types.js').CheckedMesh} CheckedMesh */
 /** @typedef {import('./glue_types.js').CheckedOperand} CheckedOperand */
+/** @typedef {import('./index.js').Provenance} Provenance */
 /** @typedef {import('./kept.js').Session} Session */
 /** @typedef {import('./mesh_operations.js').Ask} Ask */
 
@@ -18,6 +20,8 @@ const ownSizes = ['size', 'smallest', 'growth', 'sources'];
 export const sizeOptions = [...ownSizes, 'sizing'];
 const modelledOptions = [...sizeOptions, 'operands', 'featureAngle', 'curveAngle', 'features', 'minFeature'];
 const remeshOptions = [...modelledOptions, 'mostTriangles', 'maxDeviation', 'zone', 'layers', 'preset', 'mesher', 'rounds', 'lastRounds', 'audits', 'onProgress', 'signal'];
+/** What a model says itself. */
+const modelWords = ['operands', 'featureAngle', 'curveAngle'];
 const mostRounds = 1000;
 const coarsest = 64;
 const mostMeshTriangles = 2 ** 32 - 1;
@@ -93,7 +97,7 @@ function checkZone(zone, triangles) {
  */
 function checkLayers(layers, isResult, zone) {
   if (layers === undefined) return undefined;
-  if (!isResult) throw invalidArgument('layers are those round the graph of a result: pass it with operands: [a, b]');
+  if (!isResult) throw invalidArgument('layers are those round the graph of a result: pass it with operands: [a, b], or what resultModel made of it');
   if (zone !== undefined) throw invalidArgument('zone and layers say the same: leave out one');
   return checkTimes(layers, 'layers');
 }
@@ -108,7 +112,7 @@ export function checkAngle(value, name) {
  * The mesh, and where it comes from when it is that of a result.
  * @param {any} given
  * @param {any} operands
- * @returns {{ mesh: CheckedMesh, sources?: { provenance: import('./index.js').Provenance, operands: CheckedOperand[] } }}
+ * @returns {{ mesh: CheckedMesh, sources?: { provenance: Provenance, operands: CheckedOperand[] } }}
  */
 export function checkGiven(given, operands) {
   const isResult = given?.mesh !== undefined && given.provenance !== undefined;
@@ -125,17 +129,55 @@ export function checkGiven(given, operands) {
 }
 
 /**
+ * A model as what is remeshed, or compared with.
+ * @param {Model<any>} model
+ * @param {string} name
+ */
+export function checkGivenModel(model, name) {
+  const { mesh, settings } = model.checked(name);
+  return { mesh, settings, isModel: true };
+}
+
+/**
+ * What is to be remeshed: a model, with the provenance it may have, or a mesh with what its model is made by.
+ * @param {any} given
+ * @param {any} options
+ * @returns {{ about: import('./glue_types.js').GivenModel, provenance: Provenance | undefined, model?: Model<any> }}
+ */
+function checkModelled(given, options) {
+  if (!(given instanceof Model)) {
+    const { operands, featureAngle = 40, curveAngle = 45 } = options;
+    const { mesh, sources } = checkGiven(given, operands);
+    const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
+    return { about: { mesh, settings: { ...checkModelOptions({ ...angles, seams: 'none' }), sources }, isModel: false }, provenance: sources?.provenance };
+  }
+  const other = modelWords.find((name) => options[name] !== undefined);
+  if (other !== undefined) throw invalidArgument(`a model says itself what its faces and edges are: leave out ${other}`);
+  return { about: checkGivenModel(given, 'model'), provenance: given instanceof ResultModel ? given.provenance : undefined, model: given };
+}
+
+/**
+ * What came of it, with the model on the new mesh where one was given.
+ * @param {import('./glue_types.js').RemeshedMesh} answer
+ * @param {Model<any> | undefined} model
+ * @returns {any}
+ */
+function remeshedOf({ tables, ...result }, model) {
+  return model === undefined || tables === undefined ? result : { ...result, model: model.on(result.mesh, tables) };
+}
+
+/**
  * Calls with the number of a sizing: that of the caller, or one for this call.
  * @template Result
  * @param {{ session: Session, ask: Ask }} core
- * @param {{ mesh: CheckedMesh, options: any }} about
+ * @param {{ mesh: CheckedMesh, options: any, model?: Model<any> }} about what sources are about that do not say it
  * @param {(sizing: number) => Result} call
  * @returns {Result}
  */
-export function withSizing({ session, ask }, { mesh: { positions, triangles }, options }, call) {
+export function withSizing({ session, ask }, { mesh: { positions, triangles }, options, model }, call) {
   const { size, smallest, growth, sources, sizing } = options;
   if (sizing === undefined) {
-    const made = makeSizing(session, ask, { size, smallest, growth, sources, mesh: { positions, triangles } });
+    const made = makeSizing(session, ask, { size, smallest, growth, sources, model, mesh: { positions, triangles } });
     try {
       return call(made.numberIn(session, 'sizing'));
     } finally {
@@ -150,18 +192,6 @@ export function withSizing({ session, ask }, { mesh: { positions, triangles }, o
 }
 
 /**
- * What is to be remeshed, and how its model is made.
- * @param {any} given
- * @param {any} options
- */
-function checkModelled(given, options) {
-  const { operands, featureAngle = 40, curveAngle = 45 } = options;
-  const { mesh, sources } = checkGiven(given, operands);
-  const angles = { faceAngle: checkAngle(featureAngle, 'featureAngle'), edgeAngle: checkAngle(curveAngle, 'curveAngle') };
-  return { mesh, settings: { ...checkModelOptions({ ...angles, seams: 'none' }), sources, features: checkFeatures(options) } };
-}
-
-/**
  * @param {Session} session
  * @param {Ask} ask
  * @returns {Pick<import('./index.js').Mortise, 'remesh' | 'predictTriangles'>}
@@ -173,17 +203,19 @@ export function remeshFunctions(session, ask) {
       const { mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
       checkWord(preset, 'preset', presets);
       checkWord(mesher, 'mesher', meshers);
-      const { mesh, settings: modelled } = checkModelled(given, checked);
+      const { about, provenance, model } = checkModelled(given, checked);
+      const { mesh } = about;
       const limits = { mostTriangles: checkMostTriangles(mostTriangles), maxDeviation: checkMaxDeviation(checked.maxDeviation), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
-      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, modelled.sources !== undefined, checked.zone) };
-      const settings = { ...modelled, ...limits, ...zones };
-      const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(mesh, { ...settings, listener }, sizing), [mesh]));
-      return withSizing({ session, ask }, { mesh, options: checked }, remeshWith);
+      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, provenance !== undefined, checked.zone), provenance };
+      const settings = { features: checkFeatures(checked), ...limits, ...zones };
+      const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(about, { ...settings, listener }, sizing), [mesh]));
+      return remeshedOf(withSizing({ session, ask }, { mesh, options: checked, model }, remeshWith), model);
     },
     predictTriangles: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, modelledOptions);
-      const { mesh, settings } = checkModelled(given, checked);
-      return withSizing({ session, ask }, { mesh, options: checked }, (sizing) => ask((core) => core.predictTriangles(mesh, settings, sizing), [mesh]));
+      const { about, model } = checkModelled(given, checked);
+      const features = checkFeatures(checked);
+      return withSizing({ session, ask }, { mesh: about.mesh, options: checked, model }, (sizing) => ask((core) => core.predictTriangles(about, features, sizing), [about.mesh]));
     },
   };
 }

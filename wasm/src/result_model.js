@@ -12,6 +12,11 @@ import { Model } from './model.js';
 /** @typedef {import('./index.js').ModelEntity} ModelEntity */
 /** @typedef {import('./glue_types.js').Links} Links */
 
+/**
+ * Counts of its entities by dimension, and of those of its operands where these are known; `provenance` where these are operands of one operation.
+ * @typedef {{ links: Links, counts: number[], operands: (number[] | undefined)[], interfaces: import('./index.js').Attribute[], provenance: import('./index.js').Provenance | undefined }} Inherited
+ */
+
 /** @param {number[]} numbers */
 const keyOf = (...numbers) => numbers.join(' ');
 
@@ -33,9 +38,7 @@ function placesBy({ result }, key) {
 
 /** @extends {Model<Mesh>} */
 export class ResultModel extends Model {
-  #links;
-  #counts;
-  #operands;
+  #inherited;
   /** @type {Map<string, number[]> | undefined} */
   #byResult;
   /** @type {Map<string, number[]> | undefined} */
@@ -43,22 +46,34 @@ export class ResultModel extends Model {
 
   /**
    * @param {import('./model.js').Parts<Mesh>} parts
-   * @param {{ links: Links, counts: number[], operands: (number[] | undefined)[], interfaces: import('./index.js').Attribute[] }} inherited counts of its
-   *   entities by dimension, and of those of its operands where these are known
+   * @param {Inherited} inherited
    */
-  constructor(parts, { links, counts, operands, interfaces }) {
+  constructor(parts, inherited) {
     super(parts);
-    this.#links = links;
-    this.#counts = counts;
-    this.#operands = operands;
-    this.interfaces = interfaces;
+    this.#inherited = inherited;
+    this.interfaces = inherited.interfaces;
+  }
+
+  /** Where its triangles come from, as long as they are those of the result. */
+  get provenance() {
+    return this.#inherited.provenance;
+  }
+
+  /**
+   * @override
+   * @param {Mesh} mesh
+   * @param {import('./index.js').ModelTables} tables
+   */
+  on(mesh, tables) {
+    return new ResultModel(this.partsOn(mesh, tables), { ...this.#inherited, provenance: undefined, interfaces: structuredClone(this.interfaces) });
   }
 
   /** @param {ModelEntity} entity */
   sourcesOf(entity) {
-    const { dimension, result, operand, source, measure } = this.#links;
-    this.#byResult ??= placesBy(this.#links, (i) => keyOf(dimension[i], result[i]));
-    const places = this.#byResult.get(keyOf(...checkEntity(entity, this.#counts, 'entity'))) ?? [];
+    const { links, counts } = this.#inherited;
+    const { dimension, result, operand, source, measure } = links;
+    this.#byResult ??= placesBy(links, (i) => keyOf(dimension[i], result[i]));
+    const places = this.#byResult.get(keyOf(...checkEntity(entity, counts, 'entity'))) ?? [];
     return places.map((i) => ({ operand: operand[i], dimension: dimensions[dimension[i]], id: source[i], measure: measure[i] }));
   }
 
@@ -67,12 +82,12 @@ export class ResultModel extends Model {
    * @param {ModelEntity} entity
    */
   partsOf(operand, entity) {
-    const links = this.#links;
-    if (!Number.isInteger(operand) || operand < 0 || operand >= this.#operands.length) {
-      throw invalidArgument(`operand must be a number below ${this.#operands.length}, not ${describe(operand)}`);
+    const { links, operands } = this.#inherited;
+    if (!Number.isInteger(operand) || operand < 0 || operand >= operands.length) {
+      throw invalidArgument(`operand must be a number below ${operands.length}, not ${describe(operand)}`);
     }
     this.#bySource ??= placesBy(links, (i) => keyOf(links.operand[i], links.dimension[i], links.source[i]));
-    const places = this.#bySource.get(keyOf(operand, ...checkEntity(entity, this.#operands[operand], 'entity'))) ?? [];
+    const places = this.#bySource.get(keyOf(operand, ...checkEntity(entity, operands[operand], 'entity'))) ?? [];
     return places.map((i) => ({ dimension: dimensions[links.dimension[i]], id: links.result[i], measure: links.measure[i] }));
   }
 }

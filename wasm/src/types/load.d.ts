@@ -9,7 +9,7 @@ import type { GroupedMesh, MeshPart, PinchFreeMesh, RepairSteps, RepairedMesh, S
 import type { GmshProject, Model, ModelFormat, ModelOperand, ModelOptions, ResultModel, ResultModelOptions } from './models.js';
 import type { HalfSpace, MeshOperand, Operand, PreparedOperand } from './operands.js';
 import type { JudgedMesh, QualityOptions, QualityReport } from './quality.js';
-import type { PredictOptions, RemeshOptions, RemeshResult } from './remesh.js';
+import type { ModelPredictOptions, ModelRemeshOptions, ModelRemeshResult, PredictOptions, RemeshOptions, RemeshResult } from './remesh.js';
 import type { Report } from './report.js';
 import type { Sizing, SizingOptions } from './sizing.js';
 
@@ -67,8 +67,11 @@ export interface Mortise {
   sizing(options: SizingOptions): Sizing;
   remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): RemeshResult;
   remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly (MeshInput | HalfSpace)[] }): RemeshResult;
+  remesh(model: ResultModel, options: ModelRemeshOptions): ModelRemeshResult<ResultModel>;
+  remesh(model: Model<MeshInput>, options: ModelRemeshOptions): ModelRemeshResult;
   predictTriangles(mesh: MeshInput, options: PredictOptions & { operands?: undefined }): number;
   predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly (MeshInput | HalfSpace)[] }): number;
+  predictTriangles(model: Model<MeshInput>, options: ModelPredictOptions): number;
   quality(mesh: JudgedMesh, options: QualityOptions): QualityReport;
   slice(mesh: MeshInput, options: { plane: readonly [number, number, number, number] }): Section;
   cornersToVertices(mesh: MeshInput, options?: { missing?: number }): VertexMesh;

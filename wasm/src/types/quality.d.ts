@@ -4,6 +4,7 @@
 
 import type { BooleanResult } from './booleans.js';
 import type { MeshInput } from './mesh.js';
+import type { Model } from './models.js';
 import type { HalfSpace } from './operands.js';
 import type { RemeshResult, RemeshSizes } from './remesh.js';
 
@@ -87,13 +88,13 @@ export type QualityOptions = RemeshSizes & {
   /** As for remesh: they make the model, unless that of a remeshed result is known. Defaults 40 and 45. */
   featureAngle?: number;
   curveAngle?: number;
-} & ({ reference?: MeshInput; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly (MeshInput | HalfSpace)[] });
+} & ({ reference?: MeshInput | Model<MeshInput>; operands?: undefined } | { reference: Pick<BooleanResult, 'mesh' | 'provenance'>; operands: readonly (MeshInput | HalfSpace)[] });
 
 /** A mesh, or what `remesh` answered. */
 export type JudgedMesh = MeshInput | (Pick<RemeshResult, 'mesh' | 'modelFaces' | 'modelEdges'> & Partial<Pick<RemeshResult, 'refinement'>>);
 
 /**
  * How good the triangles of a mesh are for the sizes wanted: of any mesh, or of what `remesh` answered, which knows its model and where its sizes had to be smaller. With a `reference`,
- * say the mesh that was remeshed (and its `operands`, as for remesh, when it is a result), how far the two are apart.
+ * say the mesh or the model that was remeshed (and its `operands`, as for remesh, when it is a result), how far the two are apart.
  */
 export function quality(mesh: JudgedMesh, options: QualityOptions): Promise<QualityReport>;

@@ -4,6 +4,7 @@
 
 import type { BooleanResult } from './booleans.js';
 import type { Mesh, MeshInput } from './mesh.js';
+import type { Model, ResultModel } from './models.js';
 import type { HalfSpace } from './operands.js';
 import type { SizeSource, Sizing } from './sizing.js';
 
@@ -16,7 +17,7 @@ export type RemeshSizes =
       smallest?: number;
       /** Of sources that say nothing else. Default 1.2. */
       growth?: number;
-      /** Those with `sizes` and no mesh are about the mesh given. */
+      /** Those with `sizes` and no mesh are about the mesh given; where a model is given, those about a model that name none are about that. */
       sources?: readonly SizeSource[];
       sizing?: undefined;
     }
@@ -43,7 +44,7 @@ export type PredictOptions = RemeshSizes & ModelledOptions;
 export type RemeshOptions = PredictOptions & {
   /** Per triangle of the mesh given: 1 when it may change. All others stay as they are, byte for byte. Default: all may. */
   zone?: ArrayLike<number>;
-  /** Of a result: only triangles in so many layers round the intersection graph may change. */
+  /** Of a result, or of its model: only triangles in so many layers round the intersection graph may change. */
   layers?: number;
   /**
    * No point of the new surface is farther from the old one than this, nor the other way round, model face by model face: proven, not sampled. Triangles
@@ -70,6 +71,16 @@ export type RemeshOptions = PredictOptions & {
   /** Looked at before the call and whenever progress is reported. */
   signal?: AbortSignal;
 };
+
+/** A model says itself what its faces and edges are. */
+interface KnownModel {
+  featureAngle?: undefined;
+  curveAngle?: undefined;
+  operands?: undefined;
+}
+
+export type ModelPredictOptions = PredictOptions & KnownModel;
+export type ModelRemeshOptions = RemeshOptions & KnownModel;
 
 /** Numbers about the triangles of a mesh. */
 export interface TriangleShapes {
@@ -102,6 +113,15 @@ export interface RemeshResult {
   after: TriangleShapes;
 }
 
+/** What became of a model. */
+export interface ModelRemeshResult<Kind extends Model = Model> extends RemeshResult {
+  /**
+   * The same model on the new mesh: its entities have the numbers they had, its attributes are those it had. Of the model of a result also its
+   * `interfaces` and where its entities come from, measured before.
+   */
+  model: Kind;
+}
+
 /**
  * The same model with triangles of the sizes wanted. Vertices of the model (corners) stay as they are, vertices on its edges stay on
  * these, all others on its faces: places on the triangles given. Open meshes, walls and edges with many triangles are welcome;
@@ -110,7 +130,11 @@ export interface RemeshResult {
 export function remesh(mesh: MeshInput, options: RemeshOptions & { operands?: undefined }): Promise<RemeshResult>;
 /** Of what an operation answered: `operands` are the meshes of the call, moved as they were there, and creases are those of their triangles. */
 export function remesh(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: RemeshOptions & { operands: readonly (MeshInput | HalfSpace)[] }): Promise<RemeshResult>;
+/** Of a model: its faces, edges, seams and vertices as they are, whatever they were made by, with their attributes. Vertices at one place stay as many. */
+export function remesh(model: ResultModel, options: ModelRemeshOptions): Promise<ModelRemeshResult<ResultModel>>;
+export function remesh(model: Model<MeshInput>, options: ModelRemeshOptions): Promise<ModelRemeshResult>;
 
 /** How many triangles the sizes, and those of small features, ask for: what `remesh` says is `predicted`. */
 export function predictTriangles(mesh: MeshInput, options: PredictOptions & { operands?: undefined }): Promise<number>;
 export function predictTriangles(result: Pick<BooleanResult, 'mesh' | 'provenance'>, options: PredictOptions & { operands: readonly (MeshInput | HalfSpace)[] }): Promise<number>;
+export function predictTriangles(model: Model<MeshInput>, options: ModelPredictOptions): Promise<number>;

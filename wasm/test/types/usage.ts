@@ -5,7 +5,7 @@
 import { combine, cornersToVertices, extrudeTo, gmshProject, groupByLabel, implant, imprint, inspect, intersect, keep, load, make, MeshError, model, partition, predictTriangles, prepare, quality, readMesh, readModel, remesh, repair } from 'mortise';
 import { resolve, resultModel, sizing, slice, split, splitPinches, subtract, symmetricDifference, transform, union, writeMesh, writeModel } from 'mortise';
 import type { Attribute, AttributePolicy, BooleanResult, DataChannel, EntityPart, EntitySource, ImprintResult, Mesh, MeshErrorCode, MeshInput, Model, ModelEntity, Mortise } from 'mortise';
-import type { PreparedOperand, QualityReport, RemeshResult, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
+import type { ModelRemeshResult, PreparedOperand, QualityReport, RemeshResult, Report, ResultModel, SizeSource, Sizing, TransformStep } from 'mortise';
 
 const box: Mesh = await make('box', { lo: [0, 0, 0], hi: [1, 1, 1] });
 const prism: Mesh = await make('extrude', { outline: [[0, 0], [1, 0], [0, 1]], height: 2 });
@@ -102,7 +102,20 @@ export const many: Float64Array = sizes.sizeAt(box.positions);
 export const view: string = sizes.toGmshView({ min: [0, 0, 0], max: [1, 1, 1] });
 const finer: RemeshResult = await remesh(box, { size: 0.1, sources: wanted, featureAngle: 30, onProgress: ({ fraction }) => fraction < 1 });
 await remesh(pair, { operands: [box, moved], sizing: sizes, mostTriangles: 1e6 });
+const finerShip: ModelRemeshResult<ResultModel> = await remesh(ship, { size: 0.1, layers: 2, sources: [{ curvature: { perTurn: 24 } }] });
+const finerSoup: ModelRemeshResult = await remesh(soupModel, { sizing: sizes });
+await remesh(finerSoup.model, { size: 0.2, featureAngle: undefined });
+await writeModel(finerShip.model, { format: 'msh' });
+await resultModel(pair, [finerShip.model, finerSoup.model]);
+export const interfaceCount: number = finerShip.model.interfaces.length + (await predictTriangles(ship, { size: 1 }));
+await quality(finerShip, { size: 0.1, reference: ship });
 await remesh(pair, { operands: [box, { plane: [0, 0, 1, 0.5] }], size: 1 });
+// @ts-expect-error a model says itself what its edges are
+await remesh(ship, { size: 1, featureAngle: 30 });
+// @ts-expect-error and where it comes from
+await remesh(ship, { size: 1, operands: [box] });
+// @ts-expect-error a mesh is answered without a model
+console.log(finer.model);
 export const least: number | null = finer.after.minAngleDeg;
 export const expected: number = await predictTriangles(finer.mesh, { sizing: sizes });
 const judged: QualityReport = await quality(finer, { sizing: sizes, reference: pair, operands: [box, moved] });
