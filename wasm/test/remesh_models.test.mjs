@@ -1,15 +1,17 @@
 // SPDX-FileCopyrightText: the Mortise authors
 // SPDX-License-Identifier: MIT
-// Remeshed models: equal numbers, names that stay where they were, in further calls and in files.
+// Remeshed models: equal numbers, names that stay where they were, in further calls, in files and from the command.
 
 import assert from 'node:assert/strict';
+import { existsSync, readFileSync, writeFileSync } from 'node:fs';
+import { join } from 'node:path';
 import test from 'node:test';
 
 import { load, MeshError } from 'mortise';
 
-import { cube, meshError, soupOf } from './support.mjs';
+import { cube, meshError, run, soupOf, temporaryFolder } from './support.mjs';
 
-const { gmshProject, inspect, make, model, partition, predictTriangles, quality, readModel, remesh, resultModel, sizing, subtract, transform, writeModel } = await load();
+const { gmshProject, inspect, make, model, partition, predictTriangles, quality, readMesh, readModel, remesh, resultModel, sizing, subtract, transform, union, writeMesh, writeModel } = await load();
 
 const close = (found, expected, within, what) => assert.ok(Math.abs(found - expected) <= within * Math.abs(expected), `${what ?? ''} ${found} instead of ${expected}`);
 const entity = (dimension, ...ids) => ids.map((id) => ({ dimension, id }));
@@ -206,4 +208,85 @@ test('tables that were spoilt are refused by name', async () => {
     const { message } = await meshError('INVALID_ARGUMENT', () => writeModel(fine, { format: 'msh' }), MeshError);
     assert.match(message, /^the tables of the model are not those of its mesh: /, name);
   }
+});
+
+/** A folder with the named plate in several formats and a pin through it. */
+function files(t) {
+  const cwd = temporaryFolder(t);
+  const [plate, pin] = plateAndPin();
+  for (const format of ['msh', 'mesh', 'vtu']) writeFileSync(join(cwd, `plate.${format}`), writeModel(plate, { format }));
+  writeFileSync(join(cwd, 'pin.msh'), writeModel(pin, { format: 'msh' }));
+  writeFileSync(join(cwd, 'pin.stl'), writeMesh(pin.mesh, { format: 'stl' }));
+  return cwd;
+}
+
+/** Runs the command, which must succeed, and gives what it printed. */
+function done(cwd, ...args) {
+  const { code, out, err } = run(args, { cwd });
+  assert.equal(code, 0, err);
+  return out;
+}
+
+test('the command keeps the names in a file it remeshes', (t) => {
+  const cwd = files(t);
+  const before = named(readModel(join(cwd, 'plate.msh')));
+  for (const [from, to] of [['msh', 'msh'], ['msh', 'mesh'], ['mesh', 'msh'], ['vtu', 'vtu']]) {
+    const report = JSON.parse(done(cwd, 'remesh', `plate.${from}`, '-o', `fine.${to}`, '--size', '0.4', '--json'));
+    const fine = readModel(join(cwd, `fine.${to}`));
+    assert.equal(fine.counts.triangles, report.triangles);
+    assert.ok(report.triangles > 400 && report.after.minAngleDeg > 30);
+    for (const row of named(fine)) {
+      const { area, length, vertices } = before.find(({ name }) => name === row.name);
+      assert.equal(row.vertices, vertices);
+      close(row.area, area, 1e-12);
+      close(row.length, length, 1e-12);
+    }
+    const kept = named(fine).map(({ name }) => name);
+    for (const name of ['deck', 'rim', 'sides']) assert.ok(kept.includes(name), `${from} to ${to}: ${name} is not among ${kept.join(', ')}`);
+  }
+  assert.deepEqual(named(readModel(join(cwd, 'fine.msh'))).map(({ name }) => name), named(readModel(join(cwd, 'plate.mesh'))).map(({ name }) => name));
+  done(cwd, 'remesh', 'plate.msh', '-o', 'fine.geo', '--size', '0.4', '-q');
+  assert.ok(existsSync(join(cwd, 'fine.msh')) && /"plate"/.test(readFileSync(join(cwd, 'fine.geo'), 'utf8')));
+  done(cwd, 'remesh', 'plate.msh', '-o', 'fine.nas', '--size', '0.4', '-q');
+  assert.match(readFileSync(join(cwd, 'fine.nas'), 'utf8'), /"sides"/);
+  done(cwd, 'remesh', 'plate.msh', '-o', 'fine.obj', '--size', '0.4', '-q');
+  assert.ok(readMesh(join(cwd, 'fine.obj')).labelNames.includes('deck'));
+  const piped = run(['remesh', '-', '-o', '-', '--format', 'msh', '--size', '0.4', '-q'], { cwd, input: readFileSync(join(cwd, 'plate.msh')) });
+  done(cwd, 'remesh', 'plate.msh', '-o', 'again.msh', '--size', '0.4', '-q');
+  assert.equal(piped.out, readFileSync(join(cwd, 'again.msh'), 'utf8'));
+  assert.equal(run(['remesh', 'plate.msh', '-o', 'x.msh', '--size', '0.4', '--feature-angle', '200'], { cwd }).code, 2);
+});
+
+test('the command keeps names of results it remeshes, and cuts by planes', (t) => {
+  const cwd = files(t);
+  for (const [verb, ...more] of [['union'], ['subtract', '--interfaces'], ['partition', '--interfaces', '--name-regions']]) {
+    done(cwd, verb, 'plate.msh', 'pin.msh', '-o', 'raw.msh', '-q', ...more);
+    const out = done(cwd, verb, 'plate.msh', 'pin.msh', '-o', 'fine.msh', '--remesh', '0.3', ...more);
+    assert.match(out, /after: .* triangles/);
+    const [raw, fine] = ['raw.msh', 'fine.msh'].map((file) => readModel(join(cwd, file)));
+    assert.ok(fine.counts.triangles > 2 * raw.counts.triangles);
+    assert.deepEqual(named(fine).map(({ name }) => name), named(raw).map(({ name }) => name), verb);
+    named(fine).forEach(({ name, area, length }, i) => {
+      close(area, named(raw)[i].area, 0.01, name);
+      close(length, named(raw)[i].length, 0.01, name);
+    });
+  }
+  done(cwd, 'subtract', 'plate.msh', 'pin.stl', '-o', 'near.msh', '--remesh', '0.3', '--layers', '2', '-q');
+  assert.ok(named(readModel(join(cwd, 'near.msh'))).some(({ name }) => name === 'sides'));
+  done(cwd, 'intersect', 'plate.msh', '--plane', '0,0,1,0.5', '-o', 'low.msh', '--remesh', '0.3', '-q');
+  close(named(readModel(join(cwd, 'low.msh'))).find(({ name }) => name === 'sides').area, 4, 1e-12);
+  done(cwd, 'intersect', 'plate.msh', '--plane', '0,0,1,0.5', '-o', 'low.ply', '--remesh', '0.3', '-q');
+  close(inspect(readMesh(join(cwd, 'low.ply'))).volume, 8, 1e-12);
+  done(cwd, 'union', 'plate.msh', 'pin.stl', '-o', 'both.geo', '--remesh', '0.5', '-q');
+  assert.match(readFileSync(join(cwd, 'both.geo'), 'utf8'), /"plate"/);
+});
+
+test('an operand without a model still has its names where it is remeshed: by labels', (t) => {
+  const cwd = files(t);
+  const flat = cube(10);
+  const repeated = { positions: flat.positions, triangles: Uint32Array.of(...flat.triangles, 0, 0, 1) };
+  writeMesh(join(cwd, 'flat.off'), repeated);
+  const out = done(cwd, 'union', 'plate.msh', 'flat.off', '-o', 'both.msh', '--remesh', '0.5');
+  assert.match(out, /names are those of faces only: operand 1/);
+  assert.ok(named(readModel(join(cwd, 'both.msh'))).some(({ name }) => name === 'deck'));
 });

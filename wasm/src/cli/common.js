@@ -183,18 +183,34 @@ function heldBy(mortise, bytes, format) {
 }
 
 /**
- * Writes a mesh that no boolean made, and reports what the file then holds, or the mesh where its format is not read; `notes` come first, `more` is for JSON.
+ * Of a verb that makes a mesh without a boolean; `notes` come first in its report, `more` is for JSON.
+ * @typedef {{ verb: string, args: Arguments, streams: Streams, notes?: string[], more?: object }} PlainCall
+ */
+
+/**
+ * Reports what a file holds.
  * @param {Mortise} mortise
  * @param {import('../index.js').Mesh} mesh
- * @param {{ verb: string, args: Arguments, streams: Streams, notes?: string[], more?: object }} call
+ * @param {{ file: string, format: string }} target
+ * @param {PlainCall} call
  */
-export function writePlain(mortise, mesh, { verb, args, streams, notes = [], more = {} }) {
-  const target = targetOf(args);
-  const bytes = mortise.writeMesh(mesh, { format: target.format });
-  const report = mortise.inspect(heldBy(mortise, bytes, target.format) ?? mesh);
+export function printPlain(mortise, mesh, { file, format }, { verb, args, streams, notes = [], more = {} }) {
+  const report = mortise.inspect(mesh);
   report.notes.unshift(...notes);
-  send(target, bytes, streams);
-  printReport({ ...report, ...more }, [verb, `${displayName(target.file)} (${target.format})`], args, streams);
+  printReport({ ...report, ...more }, [verb, `${displayName(file)} (${format})`], args, streams);
+}
+
+/**
+ * Writes a mesh that no boolean made, and reports what the file then holds, or the mesh where its format is not read.
+ * @param {Mortise} mortise
+ * @param {import('../index.js').Mesh} mesh
+ * @param {PlainCall} call
+ */
+export function writePlain(mortise, mesh, call) {
+  const target = targetOf(call.args);
+  const bytes = mortise.writeMesh(mesh, { format: target.format });
+  send(target, bytes, call.streams);
+  printPlain(mortise, heldBy(mortise, bytes, target.format) ?? mesh, target, call);
 }
 
 /** `segmentCount` as an option: `segment-count`. @param {string} name */

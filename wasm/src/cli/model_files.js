@@ -82,6 +82,18 @@ export function shortName(file) {
 }
 
 /**
+ * The model in a file, or in the standard input for `-`, with its names.
+ * @param {Mortise} mortise
+ * @param {string} file
+ * @param {Arguments} args
+ * @param {Streams} streams
+ * @param {import('../index.js').ModelOptions} options
+ */
+export function readModelFile(mortise, file, args, { stdin }, options) {
+  return namingFiles([file], () => (file === '-' ? mortise.readModel(stdin(), { ...readingFormat(args), ...options }) : mortise.readModel(file, options)));
+}
+
+/**
  * The model in a file with its names. One that is not sound enough for a model is its mesh, which booleans take.
  * @param {Mortise} mortise
  * @param {string} file
@@ -90,9 +102,8 @@ export function shortName(file) {
  * @returns {Named}
  */
 export function readNamed(mortise, file, args, streams) {
-  const options = { ...readingFormat(args), ...anglesOf(args) };
   try {
-    const model = namingFiles([file], () => (file === '-' ? mortise.readModel(streams.stdin(), options) : mortise.readModel(file, anglesOf(args))));
+    const model = readModelFile(mortise, file, args, streams, anglesOf(args));
     return { mesh: model.mesh, model };
   } catch (error) {
     if (!(error instanceof MeshError) || error.code !== 'INVALID_ARGUMENT') throw error;

@@ -108,34 +108,62 @@ function planesOf({ typed }) {
  */
 
 /**
- * Writes the mesh of a result, or its model where the format keeps one; notes about that come into the report.
+ * The model of a result with all names asked for; a note about those it has not comes into the report.
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {Outcome} outcome
+ * @param {import('../arguments.js').Arguments} args
+ * @param {Pick<import('../../index.js').ModelOptions, 'seams'>} [options]
+ */
+function namedModelOf(mortise, { result, files, operands }, args, options) {
+  if (args.values['name-regions']) files.forEach((file, k) => nameRegions(operands[k].model, shortName(file)));
+  const names = operands.map((_, k) => (k < files.length ? shortName(files[k]) : 'plane'));
+  const sources = operands.map(({ mesh, model }) => model ?? mesh);
+  const { model, interfaces, note } = modelOfResult(mortise, result, sources, { ...anglesOf(args), ...options, names });
+  if (args.values.interfaces) model.attributes.push(...interfaces);
+  if (note !== undefined) result.report.notes.push(note);
+  return { model, hasAllNames: note === undefined };
+}
+
+/**
+ * Writes a mesh, or its model where the format keeps one.
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {{ mesh: import('../../index.js').Mesh, modelOf: () => import('../model_files.js').Model }} what
+ * @param {import('../model_files.js').ModelTarget} target
+ * @param {import('../common.js').Streams} streams
+ */
+function sendResult(mortise, { mesh, modelOf }, target, streams) {
+  if (keepsModels(target)) sendModel(mortise, modelOf(), target, streams);
+  else send(target, mortise.writeMesh(mesh, { format: /** @type {any} */ (target.format) }), streams);
+}
+
+/**
+ * The result with triangles of the size wanted, and its model where the format keeps one; what became of it comes into the report.
+ * @param {import('../../index.js').Mortise} mortise
+ * @param {Outcome} outcome
+ * @param {{ size: number, layers: number | undefined }} options
+ * @param {import('../arguments.js').Arguments} args
+ * @returns {import('../../index.js').RemeshResult & { model?: import('../model_files.js').Model }}
+ */
+function remeshResult(mortise, outcome, options, args) {
+  const { result, operands, target } = outcome;
+  const named = keepsModels(target) ? namedModelOf(mortise, outcome, args, { seams: 'none' }) : undefined;
+  const remeshed = named?.hasAllNames ? mortise.remesh(/** @type {any} */ (named.model), options) : mortise.remesh(result, { ...options, operands: operands.map(({ mesh }) => mesh) });
+  result.report.notes.push(...remeshNotes(remeshed));
+  return remeshed;
+}
+
+/**
+ * Writes a result; what there is to say of it comes into its report.
  * @param {import('../../index.js').Mortise} mortise
  * @param {Outcome} outcome
  * @param {import('../arguments.js').Arguments} args
  * @param {import('../common.js').Streams} streams
  */
-function writeResult(mortise, { result, files, operands, target }, args, streams) {
-  if (!keepsModels(target)) return send(target, mortise.writeMesh(result.mesh, { format: /** @type {any} */ (target.format) }), streams);
-  if (args.values['name-regions']) files.forEach((file, k) => nameRegions(operands[k].model, shortName(file)));
-  const names = operands.map((_, k) => (k < files.length ? shortName(files[k]) : 'plane'));
-  const sources = operands.map(({ mesh, model }) => model ?? mesh);
-  const { model, interfaces, note } = modelOfResult(mortise, result, sources, { ...anglesOf(args), names });
-  if (args.values.interfaces) model.attributes.push(...interfaces);
-  if (note !== undefined) result.report.notes.push(note);
-  sendModel(mortise, model, target, streams);
-}
-
-/**
- * Writes the mesh of a result with triangles of the size wanted; what became of it comes into the report.
- * @param {import('../../index.js').Mortise} mortise
- * @param {Outcome} outcome
- * @param {{ size: number, layers: number | undefined }} options
- * @param {import('../common.js').Streams} streams
- */
-function writeRemeshed(mortise, { result, operands, target }, options, streams) {
-  const remeshed = mortise.remesh(result, { ...options, operands: operands.map(({ mesh }) => mesh) });
-  result.report.notes.push(...remeshNotes(remeshed));
-  send(target, mortise.writeMesh(remeshed.mesh, { format: /** @type {any} */ (target.format) }), streams);
+function writeResult(mortise, outcome, args, streams) {
+  const size = parseOptional(args, 'remesh');
+  if (size === undefined) return sendResult(mortise, { mesh: outcome.result.mesh, modelOf: () => namedModelOf(mortise, outcome, args).model }, outcome.target, streams);
+  const { mesh, model } = remeshResult(mortise, outcome, { size, layers: parseOptional(args, 'layers') }, args);
+  return sendResult(mortise, { mesh, modelOf: () => model ?? mortise.model(mesh, anglesOf(args)) }, outcome.target, streams);
 }
 
 /**
@@ -159,6 +187,7 @@ export function booleanVerb(name) {
       const target = modelTargetOf(args);
       checkNaming(args, target);
       const files = word === undefined ? args.positionals : args.positionals.slice(1);
+      if (args.values.remesh === undefined && args.values.layers !== undefined) throw invalidArgument('--layers needs --remesh');
       if (files.length === 0) throw invalidArgument(`${name} needs ${word === undefined ? '' : `${word} and `}mesh files`);
       const begin = performance.now();
       const read = (/** @type {string} */ file) => (keepsModels(target) ? readNamed(mortise, file, args, streams) : { mesh: readOperand(mortise, file, args, streams) });
@@ -168,10 +197,7 @@ export function booleanVerb(name) {
       const result = namingFiles(files, () => evaluate(mortise, meshes, settings, args.positionals[0], args.values));
       const { report } = result;
       const refused = !report.certified && !args.values['allow-uncertified'];
-      const size = parseOptional(args, 'remesh');
-      if (size === undefined && args.values.layers !== undefined) throw invalidArgument('--layers needs --remesh');
-      if (!refused && size !== undefined) writeRemeshed(mortise, { result, files, operands, target }, { size, layers: parseOptional(args, 'layers') }, streams);
-      else if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
+      if (!refused) writeResult(mortise, { result, files, operands, target }, args, streams);
       report.operands = report.operands.map((operand, i) => ({ name: i < files.length ? displayName(files[i]) : '--plane', ...operand }));
       report.milliseconds = performance.now() - begin;
       printReport(report, [name, refused ? 'not written' : targetName(target)], args, streams);

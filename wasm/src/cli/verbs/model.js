@@ -5,9 +5,9 @@
 
 import { invalidArgument } from '../../errors.js';
 import { parseOptional } from '../arguments.js';
-import { asLists, displayName, namingFiles, readingFormat, writingOptions } from '../common.js';
+import { asLists, displayName, writingOptions } from '../common.js';
 import { exitCode } from '../exit_codes.js';
-import { keepsModels, modelTargetOf, nameRegions, sendModel, shortName } from '../model_files.js';
+import { keepsModels, modelTargetOf, nameRegions, readModelFile, sendModel, shortName } from '../model_files.js';
 
 /** @param {import('../../index.js').Model} model */
 function modelAsJson(model) {
@@ -92,7 +92,7 @@ The faces, edges, vertices and regions of a mesh, and the names on them; - is th
     const [file] = args.positionals;
     const target = args.values.output === undefined ? undefined : modelTargetOf(args);
     if (target !== undefined && !keepsModels(target)) throw invalidArgument(`a model is written as .msh, .vtk, .vtu, .mesh, .inp, .bdf or .geo, not as ${target.format}`);
-    const model = namingFiles(args.positionals, () => (file === '-' ? mortise.readModel(streams.stdin(), { ...readingFormat(args), ...options }) : mortise.readModel(file, options)));
+    const model = readModelFile(mortise, file, args, streams, options);
     if (args.values['name-regions']) nameRegions(model, shortName(file));
     if (target !== undefined) sendModel(mortise, model, target, streams);
     if (args.values.quiet) return exitCode.ok;
