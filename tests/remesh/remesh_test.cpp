@@ -163,6 +163,17 @@ TEST_CASE("where faces would come to cross, they are not made coarse, or the tri
   }
 }
 
+TEST_CASE("corners of a rim that are a rounding apart become one", "[remesh]") {
+  // Vertices of the ball are half way up, but for a last bit: needles round each of them.
+  const ModelScene scene = scene_of(Operation::Subtract, {make_icosphere(1, 3), box({-3, -3, -3}, {3, 3, 0.5})});
+  CHECK(measure_faces(scene.mesh).angles.min_deg < 1e-14);
+  const SizingProxy sizes({}, {.global = 0.15});
+  const RemeshResult result = remeshed(scene, sizes);
+  CHECK(result.kept.empty());
+  CHECK(measure(result.mesh, sizes).least_angle > 30);
+  CHECK(find_self_crossings(result.mesh).empty());
+}
+
 TEST_CASE("the tip of a cone inside a face stays", "[remesh]") {
   const ModelScene scene = scene_of(make_cone(1, 2, 24));
   REQUIRE(scene.model.brep.faces.size() == 2);

@@ -40,7 +40,8 @@ void mesh_planar_faces(WorkingMesh& w);
 
 /// Moves vertices inside faces once, in the tangent plane, to where their triangles are more alike (CVT of the paper: the mean of the
 /// circumcentres weighted with areas in units of the size), then back onto the face.
-/// @param good_enough  a least mean ratio that may fall as far as this for the sake of other triangles; 0: no triangle gets worse
+/// @param good_enough  a least mean ratio that may fall as far as this for the sake of other triangles; 0: as far as no triangle turns
+///                     over, 1: not at all
 void smooth_vertices(WorkingMesh& w, const std::vector<VertexId>& vertices, double good_enough);
 
 /// Works on triangles with an angle below this and on what is round them: swap, collapse, move.

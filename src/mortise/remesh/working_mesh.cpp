@@ -43,9 +43,9 @@ double stray_over(const Vec3d& edge, const Vec3d& area, const Vec3d& reference) 
   return squares > 0 ? std::sqrt(dot(edge, edge) * dot(turned, turned) / squares) / 4 : 0;
 }
 
-// Does a triangle that takes the place of another face the same way?
+// Does a triangle that takes the place of another face the same way? One without a side may take the place of another such one.
 bool faces_alike(const Shape& now, const Shape& before, const Vec3d& reference) {
-  if (now.quality < flat_mean_ratio) return false;
+  if (now.quality < flat_mean_ratio) return before.quality < flat_mean_ratio;
   if (before.quality > has_normal && !is_within_angle(now.area, before.area, cosine_of_30)) return false;
   return is_within_angle(now.area, reference, cosine_of_45) || reference == Vec3d{};
 }
