@@ -140,12 +140,13 @@ function arraysOfRemeshed(prefix, mesh, area) {
     hi[i % 3] = Math.max(hi[i % 3], x);
   });
   if (Math.max(...hi.map((x, k) => x - lo[k])) > 300 * size) return [];
-  const fine = mortise.remesh(mesh, { size });
+  const fine = mortise.remesh(mesh, { size, features: 'keep' });
   const { all, free, edges, deviation: { toReference, fromReference, curvesToReference, curvesFromReference } } = mortise.quality(fine, { size, reference: mesh });
   const distances = [toReference, fromReference, curvesToReference, curvesFromReference].map(({ max }) => max);
   const quality = Float64Array.of(all.minAngleDeg, all.meanRadiusRatio, free.count, edges.mean, edges.inBand, ...distances);
   const { mesh: { positions, triangles }, sources, modelFaces } = fine;
-  return Object.entries({ positions, triangles, sources, modelFaces, quality }).map(([field, array]) => [`${prefix}${field}`, bytesOf(array)]);
+  const predicted = mesh.triangles.length > 3 * 1000 ? [] : [mortise.predictTriangles(mesh, { size })];
+  return Object.entries({ positions, triangles, sources, modelFaces, quality, predicted: Float64Array.from(predicted) }).map(([field, array]) => [`${prefix}${field}`, bytesOf(array)]);
 }
 
 /** Names and bytes of what the native tool writes for one evaluation. */

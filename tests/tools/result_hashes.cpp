@@ -20,6 +20,7 @@
 #include "mortise/boolean/result_regions.h"
 #include "mortise/brep/build_brep.h"
 #include "mortise/brep/model_queries.h"
+#include "mortise/geom/length.h"
 #include "mortise/io/formats.h"
 #include "mortise/mesh/inspect.h"
 #include "mortise/mesh/measures.h"
@@ -27,6 +28,7 @@
 #include "mortise/remesh/deviation.h"
 #include "mortise/remesh/quality_report.h"
 #include "mortise/remesh/remesh.h"
+#include "mortise/size/small_features.h"
 #include "support/boolean_scenes.h"
 #include "support/data.h"
 #include "support/data_checks.h"
@@ -181,6 +183,17 @@ void write_quality(const std::string& prefix, const RemeshResult& result, const 
                                               d.curves_to_reference.greatest, d.curves_from_reference.greatest});
 }
 
+/// With sizes for small features, of small results.
+void write_predicted(const std::string& prefix, const SurfaceMesh& mesh, const ClassifiedBrep& model, const SizingProxy& sizes) {
+  std::vector<double> predicted;
+  if (mesh.triangles.size() <= 1000) {
+    const Box3 box = bounding_box(mesh);
+    const SmallFeatures small = find_small_features(mesh, model, sizes, {.least = 1e-6 * length(box.hi - box.lo)});
+    predicted.push_back(predict_triangle_count(mesh, sizes.with(small.sources)));
+  }
+  write_array(prefix + "predicted", predicted);
+}
+
 /// In some two thousand triangles, of results that are not large and no needles.
 void write_remeshed(const std::string& prefix, const SurfaceMesh& mesh, double area) {
   if (mesh.triangles.size() > 10000 || !(area > 0)) return;
@@ -199,6 +212,7 @@ void write_remeshed(const std::string& prefix, const SurfaceMesh& mesh, double a
   write_numbers(prefix + "sources", result.sources, [](FaceId t) { return t.value; });
   write_numbers(prefix + "modelFaces", result.classification.face_of_triangle, [](ModelFaceId f) { return f.value; });
   write_quality(prefix, result, {mesh, model, sizes});
+  write_predicted(prefix, mesh, model, sizes);
 }
 
 void write_result(const std::string& prefix, const BooleanResult& result) {
