@@ -19,6 +19,7 @@ namespace {
 constexpr int sweeps = 3;                                   // of moves per round
 constexpr double splits_allowed = 4;                        // over the count foretold, per round
 constexpr double long_when_few = 1.2;                       // edges longer than this may be split when triangles are too few
+constexpr double longer_when_many = 1.05;                   // of the longest: collapses may make such edges when they are too many
 constexpr double good_enough = 0.75;                        // a mean ratio, about 26 degrees
 constexpr double even_enough = 0.3;                         // a change of the size on a triangle, of the size
 constexpr int deepest = 8;                                  // quarters of quarters
@@ -86,7 +87,7 @@ void approach_count(WorkingMesh& w, const IdVector<ModelFaceId, double>& counts,
   const auto frozen = std::count(w.is_frozen.begin(), w.is_frozen.end(), std::uint8_t{1});
   const double excess = static_cast<double>(w.mesh.live_triangle_count()) - static_cast<double>(frozen) - sum_of(w, counts);
   if (excess > 0)
-    collapse_short_edges(w, 1, longest, excess);
+    collapse_short_edges(w, 1, longer_when_many * longest, excess);
   else
     split_long_edges(w, long_when_few, -excess);
   swap_edges(w);

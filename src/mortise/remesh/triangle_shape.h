@@ -11,6 +11,7 @@
 namespace mortise {
 
 inline constexpr double flat_mean_ratio = 1e-9;  ///< a triangle of a lower one must not be made: which way it faces is chance
+inline constexpr double cosine_of_most_turn = 0.3420201433256687;  ///< 70 degrees between a triangle and the one it replaces or lies on
 
 /// Twice the area, along the normal.
 [[nodiscard]] inline Vec3d area_vector(const Vec3d& a, const Vec3d& b, const Vec3d& c) { return cross(b - a, c - a); }

@@ -39,7 +39,7 @@ double VertexBall::quality_at(const Vec3d& p) const {
     const double square = dot(area, area), edges = dot(to_x, to_x) + dot(to_y, to_y) + dot(across, across), edges_square = edges * edges;
     if (!(12 * square > flat_mean_ratio * flat_mean_ratio * edges_square)) return -1;
     const double along = dot(area, t.normal);
-    const bool faces_alike = along > 0 && along * along > 0.5 * square;  // within 45 degrees
+    const bool faces_alike = along > 0 && along * along > cosine_of_most_turn * cosine_of_most_turn * square;
     if (!faces_alike && !(t.normal == Vec3d{})) return -1;
     if (square * its_edges_square < least_square * edges_square) {
       least_square = square;

@@ -12,13 +12,13 @@
 namespace mortise {
 namespace {
 
-constexpr double cosine_of_30 = 0.8660254037844386, cosine_of_45 = 0.7071067811865476, cosine_of_25 = 0.9063077870366499;
+constexpr double cosine_of_50 = 0.6427876096865394;
 constexpr double good_enough = 0.3;                               // a collapse may leave triangles of this mean ratio
 constexpr double has_normal = 1e-3;                               // below this mean ratio the normal of a triangle is noise
 constexpr double found_within = 0.25, found_within_plane = 1e-6;  // of the size: places further off are looked for in the whole face
 constexpr double mean_normal_of_tip = 0.65;                       // of a cone: the sine of its half angle
 constexpr std::uint32_t changes_per_report = 4096;
-constexpr double stray_of_swap = 0.1, stray_of_collapse = 0.25;  // from the reference, in units of the size
+constexpr double stray_of_swap = 0.2, stray_of_collapse = 0.25;  // from the reference, in units of the size
 constexpr double least_gain = 1e-13;                             // of a cosine: swaps must end
 
 const Vec3d& at(const WorkingMesh& w, VertexId v) { return w.mesh.points[v.index()]; }
@@ -46,8 +46,8 @@ double stray_over(const Vec3d& edge, const Vec3d& area, const Vec3d& reference) 
 // Does a triangle that takes the place of another face the same way? One without a side may take the place of another such one.
 bool faces_alike(const Shape& now, const Shape& before, const Vec3d& reference) {
   if (now.quality < flat_mean_ratio) return before.quality < flat_mean_ratio;
-  if (before.quality > has_normal && !is_within_angle(now.area, before.area, cosine_of_30)) return false;
-  return is_within_angle(now.area, reference, cosine_of_45) || reference == Vec3d{};
+  if (before.quality > has_normal && !is_within_angle(now.area, before.area, cosine_of_most_turn)) return false;
+  return is_within_angle(now.area, reference, cosine_of_most_turn) || reference == Vec3d{};
 }
 
 }  // namespace
@@ -228,7 +228,7 @@ bool is_swap_fit(const WorkingMesh& w, HalfEdge h) {
   const bool is_noise = one.quality <= has_normal && other.quality <= has_normal;
   const Vec3d normal = is_noise ? reference_normal(w, h) + reference_normal(w, t) : one.area + other.area;
   for (const Shape& now : {shape_of(d, c, a), shape_of(c, d, b)}) {
-    if (now.quality < flat_mean_ratio || !is_within_angle(now.area, normal, cosine_of_25)) return false;
+    if (now.quality < flat_mean_ratio || !is_within_angle(now.area, normal, cosine_of_50)) return false;
     const double stray = std::max(stray_over(d - c, now.area, reference_normal(w, h)), stray_over(d - c, now.area, reference_normal(w, t)));
     if (stray > stray_of_swap * std::min(w.sizes[c_id.index()], w.sizes[d_id.index()])) return false;
   }
