@@ -12,6 +12,7 @@
 #include "mortise/boolean/implant.h"
 #include "mortise/boolean/imprint.h"
 #include "mortise/boolean/keep_faces.h"
+#include "mortise/boolean/merge_small_features.h"
 #include "mortise/boolean/resolve.h"
 #include "mortise/boolean/result_regions.h"
 #include "mortise/brep/attributes.h"

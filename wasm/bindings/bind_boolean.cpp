@@ -88,9 +88,7 @@ BooleanOptions options_in(const val& settings) {
   if (settings["coordinates"].as<std::string>() == "float32") options.coordinates = Coordinates::Float32;
   const std::string simplify = settings["simplify"].as<std::string>();
   options.simplify = simplify == "cut" ? Simplify::Cut : simplify == "coplanar" ? Simplify::Coplanar : Simplify::Off;
-  const val listener = settings["listener"];
-  if (listener.isUndefined()) return options;
-  options.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
+  options.progress = progress_in(settings["listener"]);
   return options;
 }
 

@@ -5,7 +5,6 @@
 
 #include <limits>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "border.h"
 #include "model_tables.h"
 #include "models.h"
+#include "mortise/boolean/merge_small_features.h"
 #include "mortise/brep/result_features.h"
 #include "mortise/geom/length.h"
 #include "mortise/mesh/measures.h"
@@ -35,9 +35,7 @@ RemeshRules remesh_rules_in(const val& settings) {
   rules.last_rounds = settings["lastRounds"].as<std::uint32_t>();
   rules.most_triangles = settings["mostTriangles"].as<double>();
   rules.most_deviation = settings["maxDeviation"].as<double>();
-  const val listener = settings["listener"];
-  if (listener.isUndefined()) return rules;
-  rules.progress = [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
+  rules.progress = progress_in(settings["listener"]);
   return rules;
 }
 
@@ -71,6 +69,32 @@ std::vector<std::uint8_t> zone_in(const SurfaceMesh& mesh, const val& settings) 
   return layers_round(mesh, find_graph_edges(mesh, provenance_in(settings["provenance"])), layers.as<std::uint32_t>());
 }
 
+/// Features below this are debris, where nobody says otherwise.
+double least_feature_in(const val& least, const SurfaceMesh& mesh) {
+  if (!least.isUndefined()) return least.as<double>();
+  const Box3 box = bounding_box(mesh);
+  return mesh.triangles.empty() ? 1 : 1e-6 * length(box.hi - box.lo);
+}
+
+/// {mesh, sources, gone, unresolved, movedVertices, largestMove}.
+/// @param given  as in given_model_in
+/// @param settings  {least?, listener}
+val merge_features(const val& given, const val& settings) {
+  return answer([&] {
+    const BuiltModel built = given_model_in(given);
+    const double least = least_feature_in(settings["least"], built.mesh);
+    const MergedFeatures merged = merge_small_features(built.mesh, built.model, least, progress_in(settings["listener"]));
+    val object = val::object();
+    object.set("mesh", mesh_out(merged.mesh));
+    object.set("sources", ids_out(merged.sources));
+    object.set("gone", ids_out(merged.gone));
+    object.set("unresolved", ids_out(merged.unresolved));
+    object.set("movedVertices", static_cast<double>(merged.moved_vertices));
+    object.set("largestMove", merged.largest_move);
+    return object;
+  });
+}
+
 /// The sizes given, and those that small features ask for.
 struct FeatureSizes {
   SizingProxy sizes;
@@ -82,9 +106,7 @@ struct FeatureSizes {
 FeatureSizes sizes_with_features(const SizingProxy& given, const SurfaceMesh& mesh, const ClassifiedBrep& model, double most_triangles,
                                  const val& features) {
   if (features.isUndefined() || mesh.triangles.empty() || !(predict_triangle_count(mesh, given) <= most_triangles)) return {given, {}};
-  const Box3 box = bounding_box(mesh);
-  const val least = features["least"];
-  const SmallFeatureRules rules{least.isUndefined() ? 1e-6 * length(box.hi - box.lo) : least.as<double>(), features["growth"].as<double>()};
+  const SmallFeatureRules rules{least_feature_in(features["least"], mesh), features["growth"].as<double>()};
   std::vector<SizeSource> found = find_small_features(mesh, model, given, rules).sources;
   SizingProxy sizes = given.with(found);
   return {std::move(sizes), std::move(found)};
@@ -151,6 +173,7 @@ val predict_triangles(const val& given, const val& features, std::uint32_t sizin
 
 EMSCRIPTEN_BINDINGS(mortise_remesh) {
   emscripten::function("remesh", &remesh_mesh);
+  emscripten::function("mergeFeatures", &merge_features);
   emscripten::function("predictTriangles", &predict_triangles);
 }
 

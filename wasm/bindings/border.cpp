@@ -4,6 +4,7 @@
 #include "border.h"
 
 #include <string>
+#include <string_view>
 
 #include "arrays.h"
 
@@ -22,6 +23,11 @@ emscripten::val error_out(const Error& error) {
   object.set("message", error.message);
   object.set("details", details);
   return object;
+}
+
+ProgressCallback progress_in(const emscripten::val& listener) {
+  if (listener.isUndefined()) return {};
+  return [listener](std::string_view stage, double fraction) { return listener(std::string(stage), fraction).as<bool>(); };
 }
 
 }  // namespace mortise::wasm

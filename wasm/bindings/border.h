@@ -11,11 +11,15 @@
 #include <utility>
 
 #include "mortise/base/error.h"
+#include "mortise/base/progress.h"
 
 namespace mortise::wasm {
 
 /// {code, stage, message, details: {operand?, kind?, ids?}}.
 [[nodiscard]] emscripten::val error_out(const Error& error);
+
+/// @param listener  (stage, fraction) -> go on? or undefined
+[[nodiscard]] ProgressCallback progress_in(const emscripten::val& listener);
 
 /// {value: work()} or {error}. Exceptions of JavaScript pass through.
 template <class Work>

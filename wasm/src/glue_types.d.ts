@@ -3,7 +3,7 @@
 // What the bindings export; the glue the compiler writes carries no types.
 
 import type { BooleanResult, GmshProject, GroupedMesh, ImprintResult, Mesh, MeshErrorCode, MeshErrorDetails, MeshPart } from './index.js';
-import type { ModelTables, PinchFreeMesh, Provenance, RemeshResult, RepairedMesh, Report, Section, VertexMesh } from './index.js';
+import type { MergedFeatures, ModelTables, PinchFreeMesh, Provenance, RemeshResult, RepairedMesh, Report, Section, VertexMesh } from './index.js';
 
 /** One of the two. */
 export interface Answer<Value> {
@@ -78,6 +78,7 @@ export interface Core {
   sizesAt(sizing: number, points: Float64Array | Float32Array): Answer<Float64Array>;
   gmshView(sizing: number, corners: Float64Array): Answer<string>;
   remesh(given: GivenModel, settings: RemeshSettings, sizing: number): Answer<RemeshedMesh>;
+  mergeFeatures(given: GivenModel, settings: { least: number | undefined; listener: RemeshSettings['listener'] }): Answer<MergedMesh>;
   predictTriangles(given: GivenModel, features: FeatureSettings | undefined, sizing: number): Answer<number>;
   measureMesh(mesh: CheckedMesh, settings: ModelSettings & { reference: GivenModel | undefined; refinement?: Float64Array }, sizing: number): Answer<MeasuredMesh>;
   makeShape(name: string, numbers: Float64Array): Answer<Mesh>;
@@ -126,6 +127,13 @@ export interface RemeshSettings {
   provenance: Provenance | undefined;
   lastRounds: number;
   audits: number;
+}
+
+/** A mesh without its small features. */
+export interface MergedMesh extends MergedFeatures {
+  mesh: Mesh;
+  /** Per triangle: of the mesh given. */
+  sources: Uint32Array;
 }
 
 export interface RemeshedMesh extends RemeshResult {

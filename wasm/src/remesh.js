@@ -5,6 +5,7 @@
 
 import { checkMesh, checkOperand, checkOptions, describe } from './arguments.js';
 import { invalidArgument } from './errors.js';
+import { mergeFeatures } from './merge_features.js';
 import { Model, checkModelOptions, checkProvenance } from './model.js';
 import { listenedTo } from './progress.js';
 import { ResultModel } from './result_model.js';
@@ -28,7 +29,7 @@ const mostMeshTriangles = 2 ** 32 - 1;
 
 const presets = ['default', 'paper'];
 const meshers = ['local', 'frontal'];
-const featureModes = ['keep', 'refine'];
+const featureModes = ['keep', 'merge', 'refine'];
 
 /**
  * One of some words.
@@ -40,12 +41,13 @@ function checkWord(value, name, words) {
   if (!words.includes(value)) throw invalidArgument(`${name} must be ${words.map((word) => `'${word}'`).join(' or ')}, not ${describe(value)}`);
 }
 
-/** What is to become of features that are too small. @param {any} options */
+/** What is to become of features that are too small: those that are left when small ones are merged become sources. @param {any} options */
 function checkFeatures({ features = 'refine', minFeature, growth = 1.2 }) {
   checkWord(features, 'features', featureModes);
   if (minFeature === undefined) return features === 'keep' ? undefined : { growth };
   if (features === 'keep') throw invalidArgument("minFeature does not go with features: 'keep'");
-  if (!(Number.isFinite(minFeature) && minFeature >= 0)) throw invalidArgument(`minFeature must be a length, not ${describe(minFeature)}`);
+  const isLength = Number.isFinite(minFeature) && (features === 'merge' ? minFeature > 0 : minFeature >= 0);
+  if (!isLength) throw invalidArgument(`minFeature must be a ${features === 'merge' ? 'positive ' : ''}length, not ${describe(minFeature)}`);
   return { growth, least: minFeature };
 }
 
@@ -167,6 +169,15 @@ function remeshedOf({ tables, ...result }, model) {
 }
 
 /**
+ * The triangles of the mesh given, by those of the one that was remeshed.
+ * @param {import('./index.js').RemeshResult} result
+ * @param {Uint32Array} sources
+ */
+function inGiven(result, sources) {
+  return { sources: result.sources.map((t) => sources[t]), kept: Uint32Array.from(new Set(result.kept.map((t) => sources[t]))).sort() };
+}
+
+/**
  * Calls with the number of a sizing: that of the caller, or one for this call.
  * @template Result
  * @param {{ session: Session, ask: Ask }} core
@@ -194,28 +205,48 @@ export function withSizing({ session, ask }, { mesh: { positions, triangles }, o
 /**
  * @param {Session} session
  * @param {Ask} ask
+ * @param {import('./index.js').Mortise['resultModel']} resultModel
  * @returns {Pick<import('./index.js').Mortise, 'remesh' | 'predictTriangles'>}
  */
-export function remeshFunctions(session, ask) {
+export function remeshFunctions(session, ask, resultModel) {
+  /**
+   * What is remeshed: without small features where these are to be merged; then `sources` are the triangles of the mesh given.
+   * @param {ReturnType<typeof checkModelled>} asked
+   * @param {any} checked
+   * @param {{ least?: number } | undefined} features
+   * @returns {ReturnType<typeof checkModelled> & { sources?: Uint32Array, merged?: import('./index.js').MergedFeatures }}
+   */
+  function subjectOf(asked, checked, features) {
+    if (checked.features !== 'merge') return asked;
+    const { given, ...after } = mergeFeatures({ ask, resultModel }, asked, { least: features?.least, listening: checked });
+    return { ...checkModelled(given, checked), ...after };
+  }
+
   return {
     remesh: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, remeshOptions);
       const { mostTriangles = 2e7, preset = 'default', mesher = 'local', rounds, lastRounds = 10, audits = 6 } = checked;
       checkWord(preset, 'preset', presets);
       checkWord(mesher, 'mesher', meshers);
-      const { about, provenance, model } = checkModelled(given, checked);
-      const { mesh } = about;
+      const asked = checkModelled(given, checked);
+      const features = checkFeatures(checked);
       const limits = { mostTriangles: checkMostTriangles(mostTriangles), maxDeviation: checkMaxDeviation(checked.maxDeviation), isPaper: preset === 'paper', isFrontal: mesher === 'frontal', rounds: checkRounds(rounds), lastRounds: checkTimes(lastRounds, 'lastRounds'), audits: checkTimes(audits, 'audits') };
-      const zones = { zone: checkZone(checked.zone, (mesh.triangles?.length ?? mesh.positions.length / 3) / 3), layers: checkLayers(checked.layers, provenance !== undefined, checked.zone), provenance };
-      const settings = { features: checkFeatures(checked), ...limits, ...zones };
-      const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(about, { ...settings, listener }, sizing), [mesh]));
-      return remeshedOf(withSizing({ session, ask }, { mesh, options: checked, model }, remeshWith), model);
+      const { positions, triangles } = asked.about.mesh;
+      const zone = checkZone(checked.zone, (triangles?.length ?? positions.length / 3) / 3);
+      const layers = checkLayers(checked.layers, asked.provenance !== undefined, checked.zone);
+      const { about, provenance, model, sources, merged } = subjectOf(asked, checked, features);
+      const settings = { features, ...limits, zone: zone && sources ? Uint8Array.from(sources, (t) => zone[t]) : zone, layers, provenance };
+      const remeshWith = (/** @type {number} */ sizing) => listenedTo(checked, (listener) => ask((core) => core.remesh(about, { ...settings, listener }, sizing), [about.mesh]));
+      const answer = withSizing({ session, ask }, { mesh: asked.about.mesh, options: checked, model: asked.model }, remeshWith);
+      const result = remeshedOf(answer, model);
+      return sources === undefined ? result : { ...result, ...inGiven(result, sources), merged };
     },
     predictTriangles: (/** @type {any} */ given, /** @type {any} */ options) => {
       const checked = checkOptions(options, modelledOptions);
-      const { about, model } = checkModelled(given, checked);
+      const asked = checkModelled(given, checked);
       const features = checkFeatures(checked);
-      return withSizing({ session, ask }, { mesh: about.mesh, options: checked, model }, (sizing) => ask((core) => core.predictTriangles(about, features, sizing), [about.mesh]));
+      const { about } = subjectOf(asked, checked, features);
+      return withSizing({ session, ask }, { mesh: asked.about.mesh, options: checked, model: asked.model }, (sizing) => ask((core) => core.predictTriangles(about, features, sizing), [about.mesh]));
     },
   };
 }

@@ -204,6 +204,7 @@ export function createSyncApi(core, host, onStop) {
   /** @type {import('./mesh_operations.js').Ask} */
   const askCore = (call, ...meshes) => ask(session, call, ...meshes);
   const files = { host, formatOf: (/** @type {string} */ path) => askCore((running) => running.formatOfPath(path)) };
+  const models = modelFunctions(askCore, files);
   return {
     union: (/** @type {any[]} */ ...args) => evaluate(session, 'union', args),
     intersect: (/** @type {any[]} */ ...args) => evaluate(session, 'intersect', args),
@@ -231,10 +232,10 @@ export function createSyncApi(core, host, onStop) {
       return ask(session, () => core.makeShape(name, numbers));
     },
     ...meshOperations(askCore),
-    ...modelFunctions(askCore, files),
+    ...models,
     ...fileFunctions(askCore, files),
     sizing: (options) => /** @type {any} */ (makeSizing(session, askCore, options)),
-    ...remeshFunctions(session, askCore),
+    ...remeshFunctions(session, askCore, models.resultModel),
     ...qualityFunctions(session, askCore),
   };
 }

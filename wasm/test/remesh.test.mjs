@@ -153,6 +153,32 @@ test('features smaller than the size get triangles that fit them, unless they ar
   assert.match(message, /more than 1000; some for small features: features 'keep' leaves these as they are, minFeature those below it/);
 });
 
+test('small features merged before are gone, and what they were is told', async () => {
+  const [block, slot] = [await make('box', { lo: [0, 0, 0], hi: [2, 1, 1] }), await make('box', { lo: [1, -1, 0.5], hi: [1.001, 2, 2] })];
+  const result = await subtract(block, slot);
+  const options = { size: 0.3, features: 'merge', minFeature: 0.01 };
+  const closed = await remesh(result.mesh, options);
+  const { merged, sources, after, predicted } = closed;
+  const slotted = result.mesh.triangles.length / 3;
+  assert.ok(merged.gone.length >= 6 && merged.gone.length < slotted && merged.gone.every((t) => t < slotted), `${merged.gone}`);
+  assert.deepEqual([merged.unresolved.length, merged.movedVertices > 0, merged.largestMove <= 0.01], [0, true, true]);
+  assert.ok(sources.every((t) => t < slotted && !merged.gone.includes(t)));
+  assert.equal(new Set(closed.modelFaces).size, 6);
+  close((await inspect(closed.mesh)).volume, 2, 0.01);
+  assert.ok(after.minAngleDeg > 30 && after.triangles < 1.3 * predicted, `${after.minAngleDeg}, ${after.triangles} of ${predicted}`);
+  assert.equal(await predictTriangles(result.mesh, options), predicted);
+  const open = await remesh(result.mesh, { size: 0.3 });
+  assert.equal(open.merged, undefined);
+  assert.ok(open.after.triangles > 2 * after.triangles, 'refined, the slot takes many triangles');
+  const ofResult = await remesh(result, { ...options, operands: [block, slot], zone: new Uint8Array(slotted).fill(1) });
+  assert.equal(new Set(ofResult.modelFaces).size, 6);
+  assert.deepEqual(ofResult.merged, merged);
+  const none = await remesh(block, options);
+  assert.deepEqual([none.merged.gone.length, none.merged.movedVertices], [0, 0]);
+  close(none.after.triangles, (await remesh(block, { size: 0.3 })).after.triangles, 0.1);
+  assert.equal((await remesh({ positions: [], triangles: [] }, options)).after.triangles, 0);
+});
+
 test('no point is farther from the mesh given than the deviation allows', async () => {
   const ball = await make('icosphere', { radius: 1, levels: 4 });
   const [free, bound] = [await remesh(ball, { size: 0.3 }), await remesh(ball, { size: 0.3, maxDeviation: 0.01 })];
@@ -169,7 +195,7 @@ test('no point is farther from the mesh given than the deviation allows', async 
 
 test('where faces would come to cross, triangles stay', async () => {
   const thin = { positions: [0, 2, 2, 3, 4, 2, 3, 4, 4, 0, 3, 4], triangles: [0, 1, 2, 0, 3, 1, 1, 3, 2, 2, 3, 0] };
-  const size = 1.253;
+  const size = 0.411;
   assert.ok((await inspect((await remesh(thin, { size, audits: 0 })).mesh)).selfIntersections > 0);
   const { mesh, kept, newCrossings } = await remesh(thin, { size });
   assert.equal((await inspect(mesh)).selfIntersections, 0);
@@ -251,7 +277,8 @@ test('what means nothing is refused by name', async () => {
     [cube(), { size: 1, audits: 1.5 }, /audits must be a whole number/],
     [cube(), { size: 1, preset: 'botsch' }, /preset must be 'default' or 'paper', not /],
     [cube(), { size: 1, mesher: 'front' }, /mesher must be 'local' or 'frontal', not /],
-    [cube(), { size: 1, features: 'merge' }, /features must be 'keep' or 'refine', not /],
+    [cube(), { size: 1, features: 'drop' }, /features must be 'keep' or 'merge' or 'refine', not /],
+    [cube(), { size: 1, features: 'merge', minFeature: 0 }, /minFeature must be a positive length, not number 0/],
     [cube(), { size: 1, features: 'keep', minFeature: 0.1 }, /minFeature does not go with features: 'keep'/],
     [cube(), { size: 1, minFeature: -1 }, /minFeature must be a length, not number -1/],
     [cube(), { size: 1, maxDeviation: 0 }, /maxDeviation must be a positive length, not number 0/],
@@ -308,7 +335,7 @@ test('the command refuses with words and exit codes', async (t) => {
     [2, /--size needs a number, not 'x'/, '--size', 'x'],
     [2, /size must be a positive number/, '--size', '-1'],
     [2, /featureAngle must be an angle/, '--size', '1', '--feature-angle', '200'],
-    [2, /features must be 'keep' or 'refine'/, '--size', '1', '--features', 'drop'],
+    [2, /features must be 'keep' or 'merge' or 'refine'/, '--size', '1', '--features', 'drop'],
     [2, /mesher must be 'local' or 'frontal'/, '--size', '1', '--mesher', 'gmsh'],
     [3, /no\.json: this is no JSON: .*\[PARSE_FAILED\]/, '--size', '1', '--sources', 'no.json'],
     [2, /object\.json: sources must be a JSON array/, '--size', '1', '--sources', 'object.json'],

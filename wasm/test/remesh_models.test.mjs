@@ -107,7 +107,7 @@ test('it goes into every call that takes models', () => {
   const deck = fine.attributes.find(({ name }) => name === 'deck').targets[0];
   assert.deepEqual(halved.partsOf(0, deck), []);
   const local = sizing({ size: 1, sources: [{ model: fine, entity: deck, size: 0.1 }], mesh: fine.mesh });
-  assert.equal(local.sizeAt([0.5, 0.5, 1]), 0.1);
+  close(local.sizeAt([0.5, 0.5, 1]), 0.1, 1e-12);
   local.dispose();
   const { deviation } = quality({ ...coarse, refinement: undefined }, { size: 0.6, reference: fine });
   assert.equal(deviation.byFace.length, fine.counts.modelFaces);
@@ -164,6 +164,29 @@ test('sources, zones and layers are about the model', () => {
   assert.deepEqual(sources, same.sources);
   const { mesh } = remesh(drilled, { size, zone: new Uint8Array(drilled.counts.triangles) });
   assert.deepEqual(mesh.triangles.length, drilled.mesh.triangles.length);
+});
+
+test('with small features merged a model has other entities, and the same names', (t) => {
+  const block = model(make('box', { lo: [0, 0, 0], hi: [2, 1, 1] }), { edgeAngle: 30 });
+  const bottom = [0, 1, 2, 3, 4, 5].find((f) => Math.abs(block.face(f).area - 2) < 1e-9);
+  block.attributes.push({ name: 'steel', kind: 'material', targets: entity('region', 1) }, { name: 'floor', targets: entity('face', bottom) });
+  const slot = make('box', { lo: [1, -1, 0.5], hi: [1.001, 2, 2] });
+  const slotted = resultModel(subtract(block.mesh, slot), [block, slot]);
+  const { model: closed, merged, mesh } = remesh(slotted, { size: 0.3, features: 'merge', minFeature: 0.01 });
+  assert.ok(slotted.counts.modelFaces > 6 && merged.gone.length > 0);
+  assert.deepEqual([closed.counts.modelFaces, closed.counts.modelEdges, closed.counts.modelVertices], [6, 12, 8]);
+  assert.equal(closed.mesh, mesh);
+  const measured = (name) => named(closed).find((m) => m.name === name);
+  close(measured('steel').volume, 2, 0.01);
+  close(measured('floor').area, 2, 0.01);
+  const cwd = temporaryFolder(t);
+  writeModel(join(cwd, 'slotted.msh'), slotted);
+  const { code, out, err } = run(['remesh', 'slotted.msh', '-o', 'closed.msh', '--size', '0.3', '--features', 'merge', '--min-feature', '0.01'], { cwd });
+  assert.equal(code, 0, err);
+  assert.match(out, /\d+ triangles had features below the least one and are gone/);
+  const back = readModel(join(cwd, 'closed.msh'));
+  assert.equal(back.counts.modelFaces, 7, 'in a file all faces have names, and the two on either side of the slot have two');
+  assert.deepEqual(named(back).map(({ name }) => name).sort(), ['floor', 'steel']);
 });
 
 test('what does not go with a model is refused', async () => {

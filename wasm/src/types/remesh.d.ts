@@ -31,11 +31,12 @@ export interface ModelledOptions {
   curveAngle?: number;
   /**
    * `refine`: model edges below 0.7 of the size get triangles of their length, and where two parts of the edges of a model face have less than that of it
-   * between them, triangles of that width; sizes grow from there by `growth` (1.2 with a `sizing`). `keep`: they stay as they are, and spoil the triangles at
-   * them. Default `refine`.
+   * between them, triangles of that width; sizes grow from there by `growth` (1.2 with a `sizing`). `merge`: what is nearer to each other than `minFeature`
+   * becomes one first: short edges, narrow strips, thin walls and gaps go; what is left is refined. `keep`: they stay as they are, and spoil the triangles
+   * at them. Default `refine`.
    */
-  features?: 'keep' | 'refine';
-  /** Features below this length stay as they are. Default 1e-6 of the diagonal of the box round the mesh. */
+  features?: 'keep' | 'merge' | 'refine';
+  /** Features below this length go with `merge`, and stay as they are with `refine`. Default 1e-6 of the diagonal of the box round the mesh. */
   minFeature?: number;
 }
 
@@ -91,6 +92,17 @@ export interface TriangleShapes {
   maxAngleDeg: number | null;
 }
 
+/** What `features: 'merge'` did before. */
+export interface MergedFeatures {
+  /** Triangles of the mesh given of which nothing is left, ascending. */
+  gone: Uint32Array;
+  /** Triangles of the mesh given that cross others now, or lie on them, or on which not all fitted that is near; ascending. */
+  unresolved: Uint32Array;
+  /** Vertices that went to the place of another one, and how far at most. */
+  movedVertices: number;
+  largestMove: number;
+}
+
 export interface RemeshResult {
   /** Labels and walls are those of the triangles it lies on. Vertex and corner data are not carried: it has none. */
   mesh: Mesh;
@@ -111,6 +123,9 @@ export interface RemeshResult {
   predicted: number;
   before: TriangleShapes;
   after: TriangleShapes;
+  /** With `features: 'merge'`; then `before` is about the mesh without them. A model is one of a result then: its entities have other numbers, its
+   *  attributes are there. */
+  merged?: MergedFeatures;
 }
 
 /** What became of a model. */

@@ -30,15 +30,26 @@ function auditNotes(kept, newCrossings) {
   ];
 }
 
+/** @param {import('../../index.js').MergedFeatures | undefined} merged */
+function mergeNotes(merged) {
+  if (merged === undefined) return [];
+  const { gone, unresolved } = merged;
+  return [
+    `${gone.length} triangles had features below the least one and are gone`,
+    ...(unresolved.length > 0 ? [`${unresolved.length} triangles cross others now, or could not share all that is near`] : []),
+  ];
+}
+
 /** What became of a mesh. @param {import('../../index.js').RemeshResult} result */
-export function remeshNotes({ before, after, predicted, kept, newCrossings }) {
-  return [shapesText('before', before), shapesText('after', after), `${Math.round(predicted).toLocaleString('en-US')} triangles predicted`, ...auditNotes(kept.length, newCrossings)];
+export function remeshNotes({ before, after, predicted, kept, newCrossings, merged }) {
+  return [...mergeNotes(merged), shapesText('before', before), shapesText('after', after), `${Math.round(predicted).toLocaleString('en-US')} triangles predicted`, ...auditNotes(kept.length, newCrossings)];
 }
 
 /** @param {import('../../index.js').RemeshResult} result @returns {Pick<import('../common.js').PlainCall, 'notes' | 'more'>} */
 function reportOf(result) {
-  const { predicted, before, after, kept, newCrossings } = result;
-  return { notes: remeshNotes(result), more: { predicted, before, after, kept: kept.length, newCrossings } };
+  const { predicted, before, after, kept, newCrossings, merged } = result;
+  const counts = merged && { gone: merged.gone.length, unresolved: merged.unresolved.length, movedVertices: merged.movedVertices, largestMove: merged.largestMove };
+  return { notes: remeshNotes(result), more: { predicted, before, after, kept: kept.length, newCrossings, merged: counts } };
 }
 
 /** Remeshes a file, as a model with its names where the output keeps them. @type {import('../common.js').Verb['run']} */
@@ -71,8 +82,9 @@ faces, edges, vertices and regions stay on them where both files keep them (.msh
 
 ${sizesHelp}  --max-deviation D      no point of either surface is farther from the other than this: triangles become smaller, or stay, where it takes that
   --most-triangles N     sizes that ask for more are refused (default 20 million)
-  --features NAME        refine (default): triangles as small as features below the size take to be good ones; keep
-  --min-feature H        features below this stay as they are (default 1e-6 of the box round the mesh)
+  --features NAME        refine (default): triangles as small as features below the size take to be good ones;
+                         merge: what is nearer to each other than --min-feature becomes one before; keep
+  --min-feature H        features below this go with merge, else stay as they are (default 1e-6 of the box round the mesh)
   --preset NAME          default; paper: edges are collapsed below H and split above 2 H
   --mesher NAME          local; frontal: faces in planes get new triangles from their edges inwards
   -o, --output FILE      .stl .obj .ply .off .glb .msh .vtk .vtu .mesh .inp .bdf; .geo: for Gmsh, with a .msh; - is the standard output
