@@ -30,7 +30,7 @@ RemeshScene scene_of(SurfaceMesh mesh, FaceNormals normals, Sizes sizes) {
   BrepRules rules;
   rules.seams = Seams::None;
   ClassifiedBrep model = build_brep(mesh, rules, normals);
-  return {std::move(mesh), std::move(normals), std::move(model), std::move(sizes.proxy), sizes.is_uniform};
+  return {std::move(mesh), std::move(normals), std::move(model), std::move(sizes.proxy), sizes.is_uniform, {}};
 }
 
 BooleanResult evaluated(Operation operation, const Operands& operands) {
@@ -102,6 +102,15 @@ RemeshScene drilled_box() {
   return scene_of(Operation::Subtract, operands, 0.06);
 }
 
+/// A torus of a million triangles and a cylinder through its side: four layers round where they meet (Fig. 28).
+RemeshScene zone_of_a_million() {
+  Operands operands{make_torus(2, 0.7, 1000, 500), transform(make_cylinder(0.3, 2, 48), translation({2, 0, 0}))};
+  const BooleanResult result = evaluated(Operation::Union, operands);
+  RemeshScene scene = scene_of(result.mesh, normals_of(result, operands), uniform(0.015));
+  scene.zone = layers_round(result.mesh, find_graph_edges(result.mesh, result.provenance), 4);
+  return scene;
+}
+
 using test::read_data;
 
 std::vector<NamedScene> real_scenes() {
@@ -144,6 +153,7 @@ std::vector<NamedScene> remesh_scenes() {
       {"Fig. 25", "eight tori united", eight_tori},
       {"Fig. 26", "a ball, a ring and a sheet: regions, sheets, edges with many triangles", ball_ring_and_sheet},
       {"Fig. 27", "a box of twelve triangles with three holes", drilled_box},
+      {"zone", "four layers round the cut in a torus of a million triangles", zone_of_a_million},
   };
   for (NamedScene& scene : real_scenes()) scenes.push_back(std::move(scene));
   return scenes;

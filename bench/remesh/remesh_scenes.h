@@ -16,7 +16,8 @@ struct RemeshScene {
   FaceNormals normals;
   ClassifiedBrep model;  ///< without seams
   SizingProxy sizes;
-  bool is_uniform = true;  ///< one size everywhere, which every peer knows
+  bool is_uniform = true;          ///< one size everywhere, which every peer knows
+  std::vector<std::uint8_t> zone;  ///< as in RemeshRules
 };
 
 struct NamedScene {

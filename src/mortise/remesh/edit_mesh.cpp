@@ -51,7 +51,8 @@ void EditMesh::link_uses(const SurfaceMesh& mesh, const MeshTopology& topology, 
   const std::vector<ModelEdgeId> on = model_edges_of(topology, model);
   for (std::size_t e = 0; e < on.size(); ++e) {
     const std::span<const HalfEdge> uses = topology.uses_of(MeshEdgeId(e));
-    if (!on[e].is_valid()) {
+    const bool is_cut = !on[e].is_valid() && uses.size() == 1;
+    if (!on[e].is_valid() && !is_cut) {
       MORTISE_CHECK(uses.size() == 2, "edge inside a model face " + std::to_string(e));
       set_opposite(uses[0], uses[1]);
       continue;
@@ -81,7 +82,8 @@ void EditMesh::add_fans(VertexId v, std::span<const HalfEdge> leaving) {
     if (is_on_model_edge(h)) take_fan(h);
   }
   while (!open.empty()) take_fan(open.front());
-  if (entities_[v.index()].dimension == EntityDimension::Face && fans.size() == 1)
+  const bool is_open = is_on_model_edge(fans.front());
+  if (entities_[v.index()].dimension == EntityDimension::Face && fans.size() == 1 && !is_open)
     leaving_[v.index()] = fans.front();
   else
     set_new_fans(v, std::move(fans));
@@ -360,8 +362,8 @@ void EditMesh::check() const {
       require(faces_[t / 3] == faces_[h / 3], "two model faces beside half-edge", h);
       continue;
     }
-    require(model_edges_[h].is_valid(), "no model edge under half-edge", h);
     const HalfEdge u = next_use(h);
+    require(model_edges_[h].is_valid() || u == h, "no model edge under half-edge", h);
     require(has(u) && is_on_model_edge(u) && model_edges_[u] == model_edges_[h] &&
                 sorted_ends(origin(u), target(u)) == sorted_ends(origin(h), target(h)),
             "a ring of different edges at half-edge", h);

@@ -43,12 +43,13 @@ class EditMesh {
   /// The lowest entity it lies on; of dimension None when it is gone.
   [[nodiscard]] const ModelEntity& entity(VertexId v) const { return entities_[v.index()]; }
 
+  /// Or where the mesh was cut out of a larger one.
   [[nodiscard]] bool is_on_model_edge(HalfEdge h) const { return (links_[h] & ring_bit) != 0; }
   /// The half-edge on the other side; of one inside a face.
   [[nodiscard]] HalfEdge opposite(HalfEdge h) const { return links_[h]; }
   /// The next half-edge of the same mesh edge, in a circle; of one on a model edge.
   [[nodiscard]] HalfEdge next_use(HalfEdge h) const { return links_[h] & ~ring_bit; }
-  /// Of a half-edge on one.
+  /// Of a half-edge on one; invalid where the mesh was cut.
   [[nodiscard]] ModelEdgeId model_edge(HalfEdge h) const { return model_edges_[h]; }
 
   /// One closed fan, free to move in its face?

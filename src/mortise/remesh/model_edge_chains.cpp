@@ -18,7 +18,7 @@ struct Step {
 std::vector<std::vector<Step>> steps_of(const WorkingMesh& w) {
   std::vector<std::vector<Step>> steps(w.brep.edges.size());
   for (HalfEdge h = 0; h < w.mesh.half_edge_count(); ++h) {
-    if (!w.mesh.has(h) || !w.mesh.is_on_model_edge(h) || !stands_for_edge(w.mesh, h)) continue;
+    if (!w.mesh.has(h) || !w.mesh.is_on_model_edge(h) || !w.mesh.model_edge(h).is_valid() || !stands_for_edge(w.mesh, h)) continue;
     std::vector<Step>& on = steps[w.mesh.model_edge(h).index()];
     on.push_back({w.mesh.origin(h), w.mesh.target(h)});
     on.push_back({w.mesh.target(h), w.mesh.origin(h)});

@@ -12,7 +12,9 @@ namespace mortise {
 
 /// Triangles that meet beyond what they share, but those of two model faces that cross in the given mesh already.
 /// @param face_of_triangle  of the mesh
+/// @param outside  the first so many triangles are as they were: O(n) for these, but near the others
 [[nodiscard]] std::vector<SelfCrossing> find_new_crossings(const SurfaceMesh& mesh, const std::vector<ModelFaceId>& face_of_triangle,
-                                                           const SurfaceMesh& given, const ClassifiedBrep& given_model);
+                                                           std::size_t outside, const SurfaceMesh& given,
+                                                           const ClassifiedBrep& given_model);
 
 }  // namespace mortise

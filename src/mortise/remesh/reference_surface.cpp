@@ -120,9 +120,9 @@ ReferenceSurface::Foot ReferenceSurface::closest_round_corner(const Foot& from, 
   return best;
 }
 
-ReferenceSurface::Foot ReferenceSurface::walk(const Vec3d& p, std::uint32_t from) const {
+ReferenceSurface::Foot ReferenceSurface::walk(const Vec3d& p, std::uint32_t from, double enough_square) const {
   Foot here = foot_on(from, p);
-  while (!here.is_inside) {
+  while (!here.is_inside && here.square > enough_square) {
     Foot next = closest_across_edge(here, p);
     if (next.place.triangle == here.place.triangle) next = closest_round_corner(here, p);
     if (next.place.triangle == here.place.triangle) break;
@@ -171,6 +171,10 @@ ReferenceSurface::Foot ReferenceSurface::closest_of(const Face& face, const Vec3
 SurfacePlace ReferenceSurface::locate(ModelFaceId face, const Vec3d& p, std::uint32_t near, double within) const {
   const Foot foot = walk(p, near);
   return foot.square <= within * within ? foot.place : closest_of(faces_[face], p, foot).place;
+}
+
+bool ReferenceSurface::is_within(const Vec3d& p, std::uint32_t near, double distance) const {
+  return walk(p, near, distance * distance).square <= distance * distance;
 }
 
 Vec3d ReferenceSurface::point_at(ModelEdgeId edge, double arc) const {

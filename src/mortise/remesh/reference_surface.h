@@ -28,6 +28,9 @@ class ReferenceSurface {
   /// @param near  a triangle of the face to begin at
   [[nodiscard]] SurfacePlace locate(ModelFaceId face, const Vec3d& p, std::uint32_t near, double within = 0) const;
 
+  /// Is a point of a face this close, on the way to the one locate finds near it?
+  [[nodiscard]] bool is_within(const Vec3d& p, std::uint32_t near, double distance) const;
+
   /// Of length 1, or zero when it has none.
   [[nodiscard]] const Vec3d& normal(std::uint32_t triangle) const { return normals_[triangle]; }
   [[nodiscard]] bool is_plane(ModelFaceId face) const { return faces_[face].is_plane; }
@@ -55,8 +58,8 @@ class ReferenceSurface {
 
   [[nodiscard]] bool lies_in_plane(const Face& face) const;
   [[nodiscard]] Foot foot_on(std::uint32_t triangle, const Vec3d& p) const;
-  /// From triangle to triangle as long as one beside it is closer.
-  [[nodiscard]] Foot walk(const Vec3d& p, std::uint32_t from) const;
+  /// From triangle to triangle as long as one beside it is closer, and no further than to one this close.
+  [[nodiscard]] Foot walk(const Vec3d& p, std::uint32_t from, double enough_square = -1) const;
   [[nodiscard]] Foot closest_across_edge(const Foot& from, const Vec3d& p) const;
   [[nodiscard]] Foot closest_round_corner(const Foot& from, const Vec3d& p) const;
   [[nodiscard]] Foot closest_of(const Face& face, const Vec3d& p, const Foot& start) const;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "mortise/mesh/measures.h"
 #include "mortise/remesh/bound_deviation.h"
@@ -12,6 +13,7 @@
 #include "mortise/remesh/new_crossings.h"
 #include "mortise/remesh/passes.h"
 #include "mortise/remesh/triangle_shape.h"
+#include "mortise/remesh/zone_part.h"
 
 namespace mortise {
 namespace {
@@ -56,15 +58,32 @@ void check_rules(const SurfaceMesh& mesh, const RemeshRules& rules) {
   if (!(rules.most_deviation > 0)) throw Error(ErrorCode::InvalidArgument, "remesh", "the most deviation must be positive");
 }
 
+/// What is under change: all of the given mesh, or the part of it that a zone may change.
+struct Subject {
+  const SurfaceMesh& mesh;
+  const ClassifiedBrep& model;
+  const FaceNormals& normals;
+  const std::vector<std::uint8_t>& zone;
+  const ZonePart* part = nullptr;
+
+  [[nodiscard]] FaceId in_given(FaceId t) const { return part == nullptr ? t : part->triangles[t.index()]; }
+  /// The triangle by its number in the given mesh; invalid when it is not there.
+  [[nodiscard]] FaceId from_given(FaceId t) const {
+    if (part == nullptr) return t;
+    const auto at = std::lower_bound(part->triangles.begin(), part->triangles.end(), t);
+    return at != part->triangles.end() && *at == t ? FaceId(static_cast<std::size_t>(at - part->triangles.begin())) : FaceId();
+  }
+};
+
 // Triangles per model face; those outside the zone are there already. Or refuses.
-IdVector<ModelFaceId, double> foretell_counts(const SurfaceMesh& mesh, const ClassifiedBrep& model, const SizingProxy& sizes,
+IdVector<ModelFaceId, double> foretell_counts(const Subject& subject, const SurfaceMesh& given, const SizingProxy& sizes,
                                               const RemeshRules& rules) {
-  IdVector<ModelFaceId, double> counts(model.brep.faces.size());
-  double sum = 0;
-  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
-    const bool stays = !rules.zone.empty() && rules.zone[t] == 0;
-    const double count = stays ? 1 : count_on(mesh.triangles[t], mesh.points, sizes);
-    if (!stays) counts[model.classification.face_of_triangle[t]] += count;
+  IdVector<ModelFaceId, double> counts(subject.model.brep.faces.size());
+  auto sum = static_cast<double>(given.triangles.size() - subject.mesh.triangles.size());
+  for (std::size_t t = 0; t < subject.mesh.triangles.size(); ++t) {
+    const bool stays = !subject.zone.empty() && subject.zone[t] == 0;
+    const double count = stays ? 1 : count_on(subject.mesh.triangles[t], subject.mesh.points, sizes);
+    if (!stays) counts[subject.model.classification.face_of_triangle[t]] += count;
     sum += count;
   }
   if (sum <= rules.most_triangles) return counts;
@@ -151,34 +170,61 @@ void change_zone(WorkingMesh& w, const RemeshRules& rules) {
 }
 
 // The mesh without holes in its numbering.
-RemeshResult compact(const WorkingMesh& w, const SurfaceMesh& given) {
-  RemeshResult result;
-  result.classification.mesh_vertex = IdVector<ModelVertexId, VertexId>(w.brep.vertex_count);
-  std::vector<VertexId> new_vertex(w.mesh.vertex_count());
+ChangedPart compact(const WorkingMesh& w) {
+  ChangedPart changed;
+  Classification& on = changed.classification;
+  on.mesh_vertex = IdVector<ModelVertexId, VertexId>(w.brep.vertex_count);
+  std::vector<VertexId>& new_vertex = changed.new_vertex;
+  new_vertex.resize(w.mesh.vertex_count());
   for (std::size_t v = 0; v < w.mesh.vertex_count(); ++v) {
     const ModelEntity& entity = w.mesh.entity(VertexId(v));
     if (entity.dimension == EntityDimension::None) continue;
-    new_vertex[v] = VertexId(result.mesh.points.size());
-    result.mesh.points.push_back(w.mesh.points[v]);
-    result.classification.entity_of_vertex.push_back(entity);
-    if (entity.dimension == EntityDimension::Vertex) result.classification.mesh_vertex[ModelVertexId(entity.id)] = new_vertex[v];
+    new_vertex[v] = VertexId(changed.mesh.points.size());
+    changed.mesh.points.push_back(w.mesh.points[v]);
+    on.entity_of_vertex.push_back(entity);
+    if (entity.dimension == EntityDimension::Vertex) on.mesh_vertex[ModelVertexId(entity.id)] = new_vertex[v];
   }
-  result.mesh.label_names = given.label_names;
   for (std::size_t t = 0; t < w.mesh.triangle_count(); ++t) {
     if (!w.mesh.has(FaceId(t))) continue;
     const auto [a, b, c] = w.mesh.triangle(FaceId(t));
-    const std::uint32_t source = w.mesh.references[t];
-    result.mesh.triangles.push_back({new_vertex[a.index()], new_vertex[b.index()], new_vertex[c.index()]});
-    result.classification.face_of_triangle.push_back(w.mesh.face(FaceId(t)));
-    result.sources.emplace_back(source);
-    if (!given.face_labels.empty()) result.mesh.face_labels.push_back(given.face_labels[source]);
-    if (!given.walls.empty()) result.mesh.walls.push_back(given.walls[source]);
+    changed.mesh.triangles.push_back({new_vertex[a.index()], new_vertex[b.index()], new_vertex[c.index()]});
+    changed.sources.emplace_back(w.mesh.references[t]);
+    on.face_of_triangle.push_back(w.mesh.face(FaceId(t)));
   }
   for (const std::vector<VertexId>& chain : trace_chains(w)) {
-    for (const VertexId v : chain) result.classification.path.items.push_back(new_vertex[v.index()]);
-    result.classification.path.close();
+    for (const VertexId v : chain) on.path.items.push_back(new_vertex[v.index()]);
+    on.path.close();
   }
-  return result;
+  return changed;
+}
+
+void copy_marks(const SurfaceMesh& given, RemeshResult& result) {
+  result.mesh.label_names = given.label_names;
+  for (const FaceId source : result.sources) {
+    if (!given.face_labels.empty()) result.mesh.face_labels.push_back(given.face_labels[source.index()]);
+    if (!given.walls.empty()) result.mesh.walls.push_back(given.walls[source.index()]);
+  }
+}
+
+/// With how many triangles first that were never under change.
+struct WholeResult {
+  RemeshResult result;
+  std::size_t outside = 0;
+};
+
+WholeResult whole_of(ChangedPart changed, const Subject& subject, const SurfaceMesh& given, const ClassifiedBrep& model) {
+  WholeResult whole;
+  RemeshResult& result = whole.result;
+  if (subject.part == nullptr) {
+    result = {std::move(changed.mesh), std::move(changed.classification), std::move(changed.sources), {}, {}, {}};
+  } else {
+    PutBack all = put_back(*subject.part, changed, given, model);
+    whole.outside = all.outside.size();
+    for (const FaceId t : changed.sources) all.outside.push_back(subject.in_given(t));
+    result = {std::move(all.mesh), std::move(all.classification), std::move(all.outside), {}, {}, {}};
+  }
+  copy_marks(given, result);
+  return whole;
 }
 
 /// What audits have taken back.
@@ -216,21 +262,24 @@ void restrain(Restraints& restraints, const std::vector<FaceId>& triangles, cons
   }
 }
 
-// Triangles of the given mesh where faces cross or are too far apart.
-std::vector<FaceId> where_spoilt(const RemeshResult& result, const DeviatingPlaces& deviating) {
+// Triangles under change, as they were given, where faces cross or are too far apart.
+std::vector<FaceId> where_spoilt(const RemeshResult& result, const DeviatingPlaces& deviating, const Subject& subject) {
   std::vector<FaceId> triangles;
   for (const SelfCrossing& crossing : result.new_crossings) {
-    for (const FaceId t : {crossing.a, crossing.b}) triangles.push_back(result.sources[t.index()]);
+    for (const FaceId t : {crossing.a, crossing.b}) {
+      const FaceId given = subject.from_given(result.sources[t.index()]);
+      if (given.is_valid()) triangles.push_back(given);
+    }
   }
   for (const PlaceBeyond& place : deviating.of_mesh) triangles.push_back(place.closest);
   for (const PlaceBeyond& place : deviating.of_given) triangles.push_back(place.triangle);
   return triangles;
 }
 
-std::vector<FaceId> kept_by(const Restraints& restraints, const std::vector<std::uint8_t>& zone) {
+std::vector<FaceId> kept_by(const Restraints& restraints, const Subject& subject) {
   std::vector<FaceId> kept;
   for (std::size_t t = 0; t < restraints.zone.size(); ++t) {
-    if (restraints.zone[t] == 0 && (zone.empty() || zone[t] != 0)) kept.emplace_back(t);
+    if (restraints.zone[t] == 0 && (subject.zone.empty() || subject.zone[t] != 0)) kept.push_back(subject.in_given(FaceId(t)));
   }
   return kept;
 }
@@ -278,31 +327,35 @@ double predict_triangle_count(const SurfaceMesh& mesh, const SizingProxy& sizes)
 RemeshResult remesh(const SurfaceMesh& mesh, const ClassifiedBrep& model, const FaceNormals& normals, const SizingProxy& sizes,
                     const RemeshRules& rules) {
   check_rules(mesh, rules);
-  const IdVector<ModelFaceId, double> counts = foretell_counts(mesh, model, sizes, rules);
+  const ZonePart part = rules.zone.empty() ? ZonePart() : cut_out(mesh, model, normals, rules.zone);
+  const Subject subject = rules.zone.empty() ? Subject{mesh, model, normals, rules.zone, nullptr}
+                                             : Subject{part.mesh, part.model, part.normals, part.zone, &part};
+  const IdVector<ModelFaceId, double> counts = foretell_counts(subject, mesh, sizes, rules);
   const bool is_any_coarse = std::any_of(rules.rounds.begin(), rules.rounds.end(), [](double coarse) { return coarse > 1; });
   const bool is_bounded = rules.most_deviation < std::numeric_limits<double>::infinity();
-  Restraints restraints{{}, rules.zone};
+  Restraints restraints{{}, subject.zone};
   restraints.stays_fine.resize(model.brep.faces.size(), is_any_coarse ? 0 : 1);
   double left = 1;  // of the progress
   for (std::uint32_t audit = 0;; ++audit, left /= 2) {
-    WorkingMesh working(mesh, model, normals, sizes, restraints.zone);
+    WorkingMesh working(subject.mesh, subject.model, subject.normals, sizes, restraints.zone);
     working.progress = rules.progress;
     working.stays_fine = restraints.stays_fine;
     change_mesh(working, rules, counts, {1 - left, 1 - left / 2});
     std::vector<SizeSource> refinement;
     DeviatingPlaces deviating;
     if (is_bounded) {
-      const FacedMesh given{mesh, model.classification.face_of_triangle};
+      const FacedMesh given{subject.mesh, subject.model.classification.face_of_triangle};
       const auto remesh_zone = [&](WorkingMesh& w) { change_zone(w, rules); };
       deviating = bound_deviation(working, given, rules.most_deviation, remesh_zone, refinement);
     }
-    RemeshResult result = compact(working, mesh);
-    result.kept = kept_by(restraints, rules.zone);
+    auto [result, outside] = whole_of(compact(working), subject, mesh, model);
+    result.kept = kept_by(restraints, subject);
     result.refinement = std::move(refinement);
-    if (rules.audits > 0) result.new_crossings = find_new_crossings(result.mesh, result.classification.face_of_triangle, mesh, model);
+    if (rules.audits > 0)
+      result.new_crossings = find_new_crossings(result.mesh, result.classification.face_of_triangle, outside, mesh, model);
     const bool is_enough = result.new_crossings.empty() || audit >= rules.audits;
-    if (is_enough && deviating.empty()) return result;
-    restrain(restraints, where_spoilt(result, deviating), mesh, model);
+    if (is_enough && deviating.empty()) return std::move(result);
+    restrain(restraints, where_spoilt(result, deviating, subject), subject.mesh, subject.model);
   }
 }
 

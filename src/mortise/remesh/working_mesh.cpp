@@ -189,9 +189,7 @@ VertexId split_at_arc(WorkingMesh& w, HalfEdge h, double arc) {
 namespace {
 
 bool is_further(const WorkingMesh& w, ModelFaceId face, const Vec3d& p, std::uint32_t near, double within) {
-  if (w.reference.is_plane(face)) return false;
-  const Vec3d away = w.reference.locate(face, p, near, std::numeric_limits<double>::infinity()).point - p;
-  return dot(away, away) > within * within;
+  return !w.reference.is_plane(face) && !w.reference.is_within(p, near, within);
 }
 
 // Is the middle of what would be an edge inside the face of a half-edge too far from that face?
