@@ -11,6 +11,8 @@
 namespace mortise {
 namespace {
 
+[[maybe_unused]] constexpr std::size_t most_checked = 256;  // triangles, after every change, where there are assertions
+
 // Per mesh edge: the model edge it is on, if any.
 std::vector<ModelEdgeId> model_edges_of(const MeshTopology& topology, const ClassifiedBrep& model) {
   std::vector<ModelEdgeId> on(topology.edges.size());
@@ -201,6 +203,7 @@ VertexId EditMesh::split_edge(HalfEdge h, const Vec3d& point) {
     set_opposite(uses[0], parts[1]);
     set_opposite(uses[1], parts[0]);
     leaving_[m.index()] = parts[0];
+    MORTISE_ASSERT(is_sound_if_small());
     return m;
   }
   for (std::size_t k = 0; k < uses.size(); ++k) {
@@ -211,6 +214,7 @@ VertexId EditMesh::split_edge(HalfEdge h, const Vec3d& point) {
     links_[from_a ? parts[k] : uses[k]] = ring_bit | (next_from_a ? parts[next] : uses[next]);
   }
   set_new_fans(m, {parts.begin(), parts.end()});
+  MORTISE_ASSERT(is_sound_if_small());
   return m;
 }
 
@@ -229,6 +233,7 @@ VertexId EditMesh::split_in_three(FaceId t, const Vec3d& point) {
   set_opposite(bc + 1, ca + 2);
   set_opposite(ca + 1, ma);
   leaving_[m.index()] = ma;
+  MORTISE_ASSERT(is_sound_if_small());
   return m;
 }
 
@@ -269,6 +274,7 @@ void EditMesh::swap_edge(HalfEdge h) {
   corners_[t] = c;
   corners_[tn] = d;
   corners_[tp] = b;
+  MORTISE_ASSERT(is_sound_if_small());
 }
 
 bool EditMesh::can_collapse(HalfEdge h, VertexId gone) const {
@@ -344,6 +350,12 @@ void EditMesh::collapse_edge(HalfEdge h, VertexId gone) {
   for (const HalfEdge g : leaving) corners_[g] = b;
   for (std::size_t k = 0; k < uses.size(); ++k) close_gap(uses[k], from_a[k]);
   remove_vertex(a);
+  MORTISE_ASSERT(is_sound_if_small());
+}
+
+bool EditMesh::is_sound_if_small() const {
+  if (triangle_count() <= most_checked) check();
+  return true;
 }
 
 void EditMesh::check() const {

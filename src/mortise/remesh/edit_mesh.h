@@ -156,6 +156,7 @@ class EditMesh {
   void add_fans(VertexId v, std::span<const HalfEdge> leaving);
 
   FaceId add_triangle(const Triangle& corners, FaceId like);
+  [[nodiscard]] bool is_sound_if_small() const;
   VertexId add_vertex(const Vec3d& point, const ModelEntity& entity);
   void remove_triangle(FaceId t);
   void remove_vertex(VertexId v);
