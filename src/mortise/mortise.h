@@ -52,3 +52,4 @@
 #include "mortise/size/graph_sources.h"
 #include "mortise/size/model_sources.h"
 #include "mortise/size/sizing_proxy.h"
+#include "mortise/size/small_features.h"

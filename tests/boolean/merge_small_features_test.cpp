@@ -124,10 +124,7 @@ TEST_CASE("lengths that are none are refused", "[merge_features]") {
 }
 
 TEST_CASE("without the short edges of a CAD part remeshing leaves fewer small angles", "[merge_features][remesh]") {
-  if (!data_folder()) {
-    WARN("skipped: the meshes of MORTISE_DATA (default: ../shared/data) are not there");
-    return;
-  }
+  if (is_data_missing()) return;
   const ModelScene scene = scene_of(weld(read_data("cad/px4_omniquad_base.stl")).mesh);
   const double h = std::sqrt(surface_area(scene.mesh) * 2.31 / 20000);
   const SizingProxy sizes({}, {.global = h});
