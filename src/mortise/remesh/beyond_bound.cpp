@@ -120,17 +120,19 @@ class Prover {
 
   // The part over the triangle, and what is beside it. Not when all of it is over it, or nothing.
   bool cut_along(const Polygon& piece, const PlacedTriangle& triangle, std::uint32_t number) {
-    std::vector<Polygon> beside;
+    const std::size_t others = waiting_.size();
     Polygon over = piece;
     for (const CutPlane& side : sides_of(triangle)) {
       Halves halves = cut(over, side);
-      if (halves.inside.empty()) return false;
+      if (halves.inside.empty()) {
+        waiting_.resize(others);
+        return false;
+      }
       over = std::move(halves.inside);
-      if (!halves.outside.empty()) beside.push_back(std::move(halves.outside));
+      if (!halves.outside.empty()) waiting_.push_back(std::move(halves.outside));
     }
-    if (beside.empty()) return false;
-    if (!is_within(over, number)) beside.push_back(std::move(over));
-    for (Polygon& part : beside) waiting_.push_back(std::move(part));
+    if (waiting_.size() == others) return false;
+    if (!is_within(over, number)) waiting_.push_back(std::move(over));
     return true;
   }
 
