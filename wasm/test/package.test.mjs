@@ -16,7 +16,7 @@ import { temporaryFolder } from './support.mjs';
 
 const require = createRequire(import.meta.url);
 const packageFolder = fileURLToPath(new URL('..', import.meta.url));
-// The core: 453 with remeshing and its bound on the deviation, and 8 for the report of quality (what could be compiled for size is).
+// The core: 461 with remeshing, its bound on the deviation and the report of quality, 4 for merged features, 4 for zones (what could be compiled for size is).
 const mostKilobytes = { 'dist/core.wasm': 472, 'dist/glue.mjs': 16 };
 
 test('the tarball installs without a network and works by import, require and command', (t) => {

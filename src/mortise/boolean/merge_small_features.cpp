@@ -10,7 +10,7 @@
 #include "mortise/base/error.h"
 #include "mortise/base/sort_unique.h"
 #include "mortise/boolean/share_within_tolerance.h"
-#include "mortise/mesh/face_marks.h"
+#include "mortise/mesh/select_faces.h"
 
 namespace mortise {
 namespace {
@@ -18,7 +18,7 @@ namespace {
 /// A triangle by its corners, and what is on either side of it.
 struct Layer {
   Triangle corners;  // ascending
-  std::size_t triangle = 0;
+  FaceId triangle;
   ModelRegionId front, behind;  // seen from where the corners are counterclockwise in that order
 
   [[nodiscard]] bool is_sheet() const { return front == behind; }
@@ -32,7 +32,7 @@ std::vector<Layer> layers_of(const ImprintedOperand& shared, const ClassifiedBre
   for (std::size_t t = 0; t < shared.mesh.triangles.size(); ++t) {
     const Triangle& corners = shared.mesh.triangles[t];
     const ModelFace& face = model.brep.faces[model.classification.face_of_triangle[shared.source_face[t]]];
-    Layer layer{corners, t, face.region_in_front, face.region_behind};
+    Layer layer{corners, FaceId(t), face.region_in_front, face.region_behind};
     std::sort(layer.corners.begin(), layer.corners.end());
     if (!is_even(corners)) std::swap(layer.front, layer.behind);
     layers.push_back(layer);
@@ -69,7 +69,7 @@ std::vector<Layer> joined(std::vector<Layer> layers) {
 
 /// Triangles of the shared mesh that stay, ascending, and those that lie on others.
 struct Kept {
-  std::vector<std::size_t> triangles, overlapping;
+  std::vector<FaceId> triangles, overlapping;
 };
 
 Kept keep_layers(const std::vector<Layer>& layers) {
@@ -85,29 +85,6 @@ Kept keep_layers(const std::vector<Layer>& layers) {
   }
   std::sort(kept.triangles.begin(), kept.triangles.end());
   return kept;
-}
-
-// Adds the triangles, and the vertices they use, in their order.
-void add_triangles(const SurfaceMesh& given, const ImprintedOperand& shared, const std::vector<std::size_t>& triangles,
-                   MergedFeatures& merged) {
-  std::vector<VertexId> number(shared.mesh.points.size());
-  for (const std::size_t t : triangles) {
-    for (const VertexId v : shared.mesh.triangles[t]) number[v.index()] = VertexId(0);
-  }
-  for (std::size_t v = 0; v < number.size(); ++v) {
-    if (!number[v].is_valid()) continue;
-    number[v] = VertexId(merged.mesh.points.size());
-    merged.mesh.points.push_back(shared.mesh.points[v]);
-  }
-  merged.mesh.label_names = given.label_names;
-  for (const std::size_t t : triangles) {
-    const auto& [a, b, c] = shared.mesh.triangles[t];
-    const FaceId source(shared.source_face[t]);
-    merged.mesh.triangles.push_back({number[a.index()], number[b.index()], number[c.index()]});
-    if (!given.face_labels.empty()) merged.mesh.face_labels.push_back(given.face_labels[source.index()]);
-    if (!given.walls.empty()) merged.mesh.walls.push_back(given.walls[source.index()]);
-    merged.sources.push_back(source);
-  }
 }
 
 std::vector<FaceId> missing_among(const std::vector<FaceId>& sources, std::size_t count) {
@@ -129,10 +106,13 @@ MergedFeatures merge_small_features(const SurfaceMesh& mesh, const ClassifiedBre
   const ImprintedOperand& shared = all.operands.front();
   const Kept kept = keep_layers(layers_of(shared, model));
   MergedFeatures merged;
-  add_triangles(mesh, shared, kept.triangles, merged);
+  merged.mesh = select_faces(shared.mesh, kept.triangles).mesh;
+  merged.mesh.diagonals.clear();
+  const auto source_of = [&](FaceId t) { return FaceId(shared.source_face[t.index()]); };
+  for (const FaceId t : kept.triangles) merged.sources.push_back(source_of(t));
   merged.gone = missing_among(merged.sources, mesh.triangles.size());
   for (const OperandFace& face : all.report.unresolved) merged.unresolved.emplace_back(face.face);
-  for (const std::size_t t : kept.overlapping) merged.unresolved.emplace_back(shared.source_face[t]);
+  for (const FaceId t : kept.overlapping) merged.unresolved.push_back(source_of(t));
   sort_unique(merged.unresolved);
   merged.moved_vertices = all.report.moved_vertices;
   merged.largest_move = all.report.largest_move;

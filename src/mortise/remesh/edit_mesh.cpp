@@ -11,7 +11,7 @@
 namespace mortise {
 namespace {
 
-[[maybe_unused]] constexpr std::size_t most_checked = 256;  // triangles, after every change, where there are assertions
+constexpr std::size_t most_checked = 256;  // triangles, after every change, where there are assertions
 
 // Per mesh edge: the model edge it is on, if any.
 std::vector<ModelEdgeId> model_edges_of(const MeshTopology& topology, const ClassifiedBrep& model) {
@@ -53,8 +53,8 @@ void EditMesh::link_uses(const SurfaceMesh& mesh, const MeshTopology& topology, 
   const std::vector<ModelEdgeId> on = model_edges_of(topology, model);
   for (std::size_t e = 0; e < on.size(); ++e) {
     const std::span<const HalfEdge> uses = topology.uses_of(MeshEdgeId(e));
-    const bool is_cut = !on[e].is_valid() && uses.size() == 1;
-    if (!on[e].is_valid() && !is_cut) {
+    const bool is_border = uses.size() == 1;  // of a model face, or where the mesh was cut
+    if (!on[e].is_valid() && !is_border) {
       MORTISE_CHECK(uses.size() == 2, "edge inside a model face " + std::to_string(e));
       set_opposite(uses[0], uses[1]);
       continue;

@@ -7,6 +7,7 @@
 
 #include "mortise/base/sort_unique.h"
 #include "mortise/geom/box_tree.h"
+#include "mortise/mesh/select_faces.h"
 
 namespace mortise {
 namespace {
@@ -40,28 +41,10 @@ std::vector<FaceId> triangles_near_others(const SurfaceMesh& mesh, std::size_t o
   return near;
 }
 
-// Triangles with the vertices they use.
-SurfaceMesh copy_of(const SurfaceMesh& mesh, const std::vector<FaceId>& triangles) {
-  std::vector<VertexId> number(mesh.points.size());
-  SurfaceMesh copy;
-  for (const FaceId t : triangles) {
-    Triangle& corners = copy.triangles.emplace_back(mesh.triangles[t.index()]);
-    for (VertexId& v : corners) {
-      VertexId& now = number[v.index()];
-      if (!now.is_valid()) {
-        now = VertexId(copy.points.size());
-        copy.points.push_back(mesh.points[v.index()]);
-      }
-      v = now;
-    }
-  }
-  return copy;
-}
-
 std::vector<SelfCrossing> crossings_of_others(const SurfaceMesh& mesh, std::size_t outside) {
   if (outside == 0) return find_self_crossings(mesh);
   const std::vector<FaceId> near = triangles_near_others(mesh, outside);
-  std::vector<SelfCrossing> crossings = find_self_crossings(copy_of(mesh, near));
+  std::vector<SelfCrossing> crossings = find_self_crossings(select_faces(mesh, near).mesh);
   for (SelfCrossing& crossing : crossings) {
     crossing.a = near[crossing.a.index()];
     crossing.b = near[crossing.b.index()];

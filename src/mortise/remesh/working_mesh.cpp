@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "mortise/geom/length.h"
 #include "mortise/remesh/triangle_shape.h"

@@ -3,7 +3,9 @@
 #include "mortise/remesh/zone_part.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "mortise/mesh/select_faces.h"
 #include "mortise/mesh/topology.h"
 
 namespace mortise {
@@ -24,27 +26,19 @@ Marks mark_corners(const SurfaceMesh& mesh, const Marks& is_marked) {
 // Copies triangles that touch the zone, and their vertices.
 void copy_mesh(const SurfaceMesh& mesh, const FaceNormals& normals, const Marks& zone, ZonePart& part) {
   const Marks is_touched = mark_corners(mesh, zone);
-  Marks is_used(mesh.points.size(), 0);
+  std::vector<FaceId> touching;
   for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
     const Triangle& corners = mesh.triangles[t];
     if (std::none_of(corners.begin(), corners.end(), [&](VertexId v) { return is_touched[v.index()] != 0; })) continue;
-    part.triangles.emplace_back(t);
+    touching.emplace_back(t);
     part.zone.push_back(std::uint8_t{zone[t]});
     part.normals.normals.push_back(normals.normals[t]);
     if (!normals.planes.empty()) part.normals.planes.push_back(std::uint32_t{normals.planes[t]});
-    for (const VertexId v : corners) is_used[v.index()] = 1;
   }
-  std::vector<VertexId> number(mesh.points.size());
-  for (std::size_t v = 0; v < is_used.size(); ++v) {
-    if (is_used[v] == 0) continue;
-    number[v] = VertexId(part.vertices.size());
-    part.vertices.emplace_back(v);
-    part.mesh.points.push_back(mesh.points[v]);
-  }
-  for (const FaceId t : part.triangles) {
-    const auto& [a, b, c] = mesh.triangles[t.index()];
-    part.mesh.triangles.push_back({number[a.index()], number[b.index()], number[c.index()]});
-  }
+  MeshPart selected = select_faces(mesh, touching);
+  part.mesh = std::move(selected.mesh);
+  part.triangles = std::move(selected.source_face);
+  part.vertices = std::move(selected.source_vertex);
 }
 
 VertexId number_in(const ZonePart& part, VertexId v) {

@@ -20,7 +20,7 @@ struct PathPiece {
 
 /// The triangles of a zone and all that touch these, which stay. Open where it was cut.
 struct ZonePart {
-  SurfaceMesh mesh;                ///< points and triangles
+  SurfaceMesh mesh;                ///< with its labels and data
   FaceNormals normals;             ///< per triangle
   std::vector<std::uint8_t> zone;  ///< per triangle
   std::vector<FaceId> triangles;   ///< per triangle: of the whole mesh, ascending
